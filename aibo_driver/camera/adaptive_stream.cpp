@@ -31,13 +31,13 @@ double loadOf(const AdaptiveStream::Step& step) {
 /// through.
 constexpr double kPartOfFullLink = 0.95;
 
-// The share of late pictures says little about less than this time.
+// In less time than this, the share of late pictures says little.
 constexpr std::chrono::milliseconds kHalfASecond{500};
 
 /// The link is full if less than this part of the pictures that we ask for arrives.
 constexpr double kFull = 0.85;
 
-/// One change keeps at least this part of the load, because a link that only paused has carried little for a moment.
+/// One change keeps at least this part of the load, because a link that paused for a moment has carried little.
 constexpr double kLeastLeft = 0.5;
 
 }  // namespace

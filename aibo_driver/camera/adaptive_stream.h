@@ -17,15 +17,15 @@ namespace aibo_driver::camera {
 /// - A picture is late when its age is at least kLate times the limit. The limit alone would be too strict to measure,
 ///   because the shortest delay of messages cannot be measured.
 /// - It lowers the stream when all pictures of kPatience, or a third of those of the last second, are late. If fewer
-///   pictures come than are asked for, the link is full. What it carries then says how far to go. Otherwise it goes
-///   down one step. A lost packet delays one or two pictures, which is no reason to go down, so there must be
-///   kFewestLate.
-/// - It raises the stream one step at a time. No picture of kCalmTime may have been older than kCalm times the limit,
-///   and the present step must have lasted for the waiting time of the next. If a step proves too much within kTrial,
-///   its waiting time doubles, up to kLongestWait. So a step that the link can almost carry is not tried again and
-///   again.
+///   pictures come than are asked for, the link is full. In that case, what the link carries says how far to go down.
+///   Otherwise it goes down one step. A lost packet delays one or two pictures, which is no reason to go down, so there
+///   must be kFewestLate.
+/// - It raises the stream one step at a time. In the last kCalmTime, no picture may have been older than kCalm times
+///   the limit, and the present step must have lasted for the waiting time of the next. If a step proves too much
+///   within kTrial, its waiting time doubles, up to kLongestWait. So a step that the link can almost carry is not tried
+///   again and again.
 ///
-/// It has no clock of its own. Only one thread at a time may use it.
+/// The object has no clock of its own. Only one thread at a time may use it.
 class AdaptiveStream {
  public:
   using SteadyTime = std::chrono::steady_clock::time_point;
@@ -36,9 +36,9 @@ class AdaptiveStream {
   static constexpr std::chrono::milliseconds kPatience{150};
   static constexpr int kFewestLate = 4;
   static constexpr double kLate = 0.8;
-  static constexpr std::chrono::milliseconds kSettling{250};  ///< pictures of the previous step are still on their way
+  static constexpr std::chrono::milliseconds kSettling{250};  ///< for this long, pictures of the step before still come
   static constexpr std::chrono::seconds kCalmTime{3};
-  static constexpr std::size_t kMostArrivals = 256;  ///< in that time; a camera sends 90, a hostile robot any number
+  static constexpr std::size_t kMostArrivals = 256;  ///< in kCalmTime; a camera sends 90, a hostile robot any number
   static constexpr double kCalm = 0.6;
   static constexpr std::chrono::seconds kTrial{60};
   static constexpr std::chrono::seconds kFirstWait{5};
@@ -87,7 +87,7 @@ class AdaptiveStream {
   Duration max_age_;
   std::vector<Rung> steps_;  ///< from the best to the last resort
   std::size_t current_ = 0;
-  Arrivals arrivals_;  ///< the pictures of this step in the last kCalmTime; those of kSettling are left out
+  Arrivals arrivals_;  ///< the pictures of this step in the last kCalmTime, without those that came in kSettling
   std::optional<SteadyTime> changed_at_;  ///< when the present step began; empty before the first change
   std::optional<SteadyTime> raised_at_;   ///< when the stream was raised, if that was the last change
 };

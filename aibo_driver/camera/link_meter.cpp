@@ -32,8 +32,7 @@ void LinkMeter::add(const aibo_client::Picture& picture, double age, int every_n
   }
 }
 
-// For the first picture of a connection, it is not known how many images were due. The same holds if the count goes
-// back.
+// How many images were due is unknown for the first picture of a connection, and if the camera's count goes back.
 std::uint64_t LinkMeter::imagesDue(const aibo_client::Picture& picture, int every_nth_image) {
   const std::optional<std::uint32_t> before =
       picture.connection_number == connection_number_ ? last_image_ : std::nullopt;
@@ -55,7 +54,7 @@ LinkMeter::Reading LinkMeter::read(SteadyTime now, double asked_rate) {
   }
   const double asked_before = std::exchange(last_asked_rate_, asked_rate);
   if (asked_before > 0 && asked_rate == 0) {
-    last_image_.reset();  // the images of the pause are not due
+    last_image_.reset();  // no image was due during the pause
   }
   const double due = std::min(asked_rate, asked_before);
   slow_for_ = reading.picturesPerSecond() < due / 2 ? slow_for_ + reading.seconds : 0;

@@ -39,7 +39,7 @@ class LinkMeter {
 
   /// Call this for each picture, when it is shown or published.
   /// @param age s, from when the picture was taken until now; it counts only if the picture has a frame number
-  /// @param every_nth_image the robot is asked for every nth image of its camera; 0 if for no stream
+  /// @param every_nth_image the robot is asked for every nth image of its camera; 0 if no stream is wanted
   void add(const aibo_client::Picture& picture, double age, int every_nth_image, SteadyTime now);
 
   /// Returns what was measured since the last call, or since construction.

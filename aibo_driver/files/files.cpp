@@ -33,7 +33,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostGzipAdds = 1024;  // bytes, the name of the file among them; our choice
+constexpr std::size_t kMostGzipAdds = 1024;  // bytes, with the name of the file; our choice
 
 /// Names this computer. Callers of a service may be at another computer than the driver.
 std::string thisComputer() {
@@ -59,11 +59,11 @@ void checkPath(const std::string& path, const char* verb) {
   }
 }
 
-/// The content of a gzipped file, or else the file itself.
+/// The content of a gzipped file; of any other file, the file itself.
 FileDescriptor unpacked(FileDescriptor file, std::size_t longest) {
   struct stat properties {};
   std::string begin(2, '\0');
-  // The kernel's files have no size, and reading them may wait.
+  // Files of the kernel (as in /proc) have no size, and reading them may block.
   if (::fstat(file.get(), &properties) != 0 || properties.st_size == 0 ||
       ::pread(file.get(), begin.data(), begin.size(), 0) < 0 || !host_files::isGzipped(begin)) {
     return file;
@@ -77,7 +77,7 @@ bool isJpegName(const fs::path& path) {
   return ::strcasecmp(extension.c_str(), ".jpg") == 0 || ::strcasecmp(extension.c_str(), ".jpeg") == 0;
 }
 
-/// True if an existing file begins as a JPEG does. By now it may be anything else, even a pipe without a writer.
+/// True if an existing file begins as a JPEG does. It may have just become anything, even a pipe without a writer.
 bool isJpeg(const FileDescriptor& folder, const fs::path& name) {
   std::array<char, 3> begin{};
   const FileDescriptor file(::openat(folder.get(), name.c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC));
@@ -89,7 +89,7 @@ bool isWithin(const fs::path& folder, const fs::path& target) {
   return std::mismatch(folder.begin(), folder.end(), target.begin(), target.end()).first == folder.end();
 }
 
-/// The path of a folder without links in it.
+/// The path of a folder with all links resolved.
 fs::path canonicalFolder(const std::string& folder) {
   std::error_code error;
   const fs::path canonical = fs::canonical(folder, error);
@@ -100,7 +100,7 @@ fs::path canonicalFolder(const std::string& folder) {
   return canonical;
 }
 
-/// The home of the user of this process. Empty if there is none.
+/// The home folder of this process's user; empty if there is none.
 fs::path userFolder() {
   const char* const home = std::getenv("HOME");
   if (home != nullptr && *home != '\0') {
@@ -139,7 +139,7 @@ void checkTarget(const FileDescriptor& folder, const fs::path& target) {
   }
 }
 
-/// Whether a segment belongs to the image itself.
+/// True if a segment belongs to the image itself.
 /// @param segment the segment without its marker: two bytes for its size, then its content
 bool isOfImage(std::uint8_t marker, const std::uint8_t* segment, std::size_t size) {
   constexpr std::uint8_t kComment = 0xFE;

@@ -20,7 +20,7 @@ class FileException : public aibo_client::Exception {
   using Exception::Exception;
 };
 
-/// Opens a file to read it. Of a gzipped file, it opens the content, in memory.
+/// Opens a file to read it. If the file is gzipped, opens its content, in memory.
 /// @param path an absolute path, or a path relative to the working directory of the process
 /// @param longest_unpacked the largest number of bytes that a gzipped file may have, before and after it is unpacked
 /// @throw FileException the file does not exist, may not be read or is not a regular file; the path holds control
@@ -40,13 +40,13 @@ std::vector<std::uint8_t> loadFile(const std::string& path, std::size_t longest)
 
 /// Where ROS keeps files for its user: the environment's ROS_HOME, or else ~/.ros. `~` is the environment's HOME, or
 /// else the folder that the system has for the user, because services and containers may have no HOME. rospkg's
-/// get_ros_home() is the same. Any thread may call it.
+/// get_ros_home() finds the same folder. Any thread may call it.
 /// @return an absolute path
-/// @throw FileException none of them is set
+/// @throw FileException there is no such folder, because neither variable is set and the user has no home
 std::string rosHome();
 
 /// The folder in which pictures are saved.
-/// @param chosen the user's choice; if empty: ~/Pictures if there is such a folder, or else rosHome()
+/// @param chosen the user's choice; if empty, ~/Pictures if it exists, or else rosHome()
 /// @throw FileException the user has chosen nothing, and has no home: see rosHome()
 std::string pictureFolder(const std::string& chosen);
 
@@ -55,8 +55,8 @@ std::string pictureFolder(const std::string& chosen);
 /// @throw FileException the file cannot be read, or is not a whole motion; the message says why
 std::vector<std::uint8_t> loadMotion(const std::string& path);
 
-/// Writes a picture to a file, without its comments and application data (withoutComments()). The file is whole or as
-/// it was (replace_file.h).
+/// Writes a picture to a file, without its comments and application data (withoutComments()). If this fails, the file
+/// stays as it was (replace_file.h).
 ///
 /// Anybody who reaches the ROS master may call take_picture, and whoever plays the robot chooses the picture. So
 /// pictures only go into the folder for pictures, and only replace JPEGs.
@@ -68,8 +68,8 @@ std::vector<std::uint8_t> loadMotion(const std::string& path);
 ///   JPEG, the file exists and is not a JPEG, its folder does not exist, permission is missing, the disk is full, ...
 std::string saveJpeg(const std::string& folder, const std::string& path, const std::vector<std::uint8_t>& jpeg);
 
-/// Writes a file, which is whole or as it was (replace_file.h).
-/// @throw FileException the path holds control characters, or for the reasons of host_files::replaceFile()
+/// Writes a file. If this fails, the file stays as it was (replace_file.h).
+/// @throw FileException the path holds control characters, or host_files::replaceFile() fails
 void replaceFile(const std::string& path, const std::string& content);
 
 /// The picture without the segments that programs ignore and in which anything could be hidden. These are comments, and

@@ -8,17 +8,17 @@
 namespace aibo_driver::movement {
 namespace {
 
-// This is added to the time of an approach, because the command has to reach the robot and the joint speeds up and
+// The time of an approach is longer by this, because the command has to reach the robot and the joint speeds up and
 // brakes.
 constexpr std::chrono::milliseconds kMargin{500};
 
-// A joint that is this near to its target has followed it. It will not jump to its next target.
+// A joint that is this near to its target has followed it, and will not jump to its next target.
 constexpr double kNear = 0.1;  // rad
 
-// Programs round a limit of 88 degrees to 1.536.
+// How far a position may exceed a limit: programs round a limit of 88 degrees to 1.536.
 constexpr double kRounding = 0.001;  // rad
 
-// On the wire a speed is a small whole number, so there is a lowest speed.
+// The lowest speed that a command can have, because the protocol sends speeds as small whole numbers.
 constexpr double kLowestSpeed = 0.001;  // rad/s
 
 std::chrono::nanoseconds timeFor(double way, double speed) {

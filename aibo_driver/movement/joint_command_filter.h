@@ -24,10 +24,10 @@ constexpr double kUsualApproachSpeed = 0.5;
 /// - No joint moves faster than its speed limit or the given velocity.
 /// - Approach: the first command to a joint may come from a program that does not know the robot's posture. For
 ///   example, joint_state_publisher_gui begins by commanding every joint to 0 or to its middle. So the joint moves
-///   there at the approach speed. The approach ends after the time that this way takes, or when a new target comes
-///   while the measured joint is near the old one. From then on only the speed limit holds. A new target before
-///   then makes the approach longer, but at most as long as the joint takes for its whole range. A joint that is
-///   stopped on the way begins it again.
+///   there at the approach speed. The approach ends after the time that this takes, or when a new target comes while
+///   the measured joint is near the old one. From then on only the speed limit holds. A new target during the approach
+///   makes it longer, but at most as long as the joint takes for its whole range. A joint that is stopped on the way
+///   begins its approach again.
 class JointCommandFilter {
  public:
   using SteadyTime = std::chrono::steady_clock::time_point;
@@ -39,19 +39,19 @@ class JointCommandFilter {
   /// Filters one command. Its arrays are those of sensor_msgs/JointState.
   /// @param positions rad, one for each name
   /// @param velocities rad/s, one for each name, or empty; the sign does not matter, and 0 means that none is given
-  /// @param[in,out] targets gets a target with a speed for each joint that may move, in place of an earlier one
+  /// @param[in,out] targets for each joint that may move, gets a target with a speed, in place of an earlier target
   /// @return what was left out or clamped, and why, in one sentence for each joint, without numbers that vary
   std::vector<std::string> filter(const std::vector<std::string>& names, const std::vector<double>& positions,
                                   const std::vector<double>& velocities, SteadyTime now, JointTargets* targets);
 
-  /// From now on the robot may have any posture, for example after a new connection. All joints are approached again.
+  /// Call this when the robot may have any posture, as after a new connection. All joints are approached again.
   void startApproach();
 
-  /// The joints are stopped. Those that are still on the approach begin it again with the next command.
+  /// Call this when the joints are stopped. Those on their approach begin it again with the next command.
   void interruptApproach(SteadyTime now);
 
  private:
-  /// The way of a joint to the first target that it was given.
+  /// The movement of a joint to the first target that it was given.
   struct Approach {
     double target = 0;
     SteadyTime end;

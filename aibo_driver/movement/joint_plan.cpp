@@ -16,7 +16,7 @@ using std::chrono::steady_clock;
 // A joint arrives this much later than planned, because the command has to reach the robot and the joint brakes.
 constexpr double kSettling = 0.1;  // s
 
-// A command that was sent this long ago may still wait for the link.
+// A command that was sent less than this long ago may still wait for the link.
 constexpr double kLongestQueue = 1.0;  // s
 
 double seconds(steady_clock::duration duration) {
@@ -28,7 +28,7 @@ constexpr milliseconds kLongestSilence{5000};
 
 constexpr const char* kNewer = "a newer trajectory moves its joints";
 
-// Says how far a joint is from its target, in words that follow the joint's name. The text is empty if it has arrived.
+// Says how far a joint is from its target, in words to put after the joint's name. The text is empty if it has arrived.
 std::string describeDistance(const MeasuredJoint& measured, double target, const Tolerance& tolerance) {
   const double way = std::abs(measured.position - target);
   if (!(way <= tolerance.position)) {
@@ -83,10 +83,10 @@ void JointPlan::add(MovementId id, const TrajectoryRequest& request, const Arriv
   Job job{id, request, arrival, start, oldest, std::nullopt};
   for (const Job& other : jobs_) {
     if (other.run && other.start > now && job.sharesJointWith(other)) {
-      job.start = std::max(job.start, other.start);  // the other one is sent ahead, and knows no position before
+      job.start = std::max(job.start, other.start);  // the other one is sent ahead, and knows no earlier position
     }
   }
-  // This also refuses at once a request that could otherwise be refused only later.
+  // A request that could only be refused at its beginning is refused now.
   plan(job, now);
   if (start > now) {
     checkWaiting(job);
@@ -197,12 +197,12 @@ const JointPlan::Job* JointPlan::find(MovementId trajectory) const {
   return job == jobs_.end() ? nullptr : &*job;
 }
 
-// How far a trajectory has got, in seconds; below 0 before its beginning.
+// The present time of a trajectory, in seconds; below 0 before its beginning.
 double JointPlan::timeOf(const Job& job, SteadyTime now) const {
   return seconds((now - advanced_ > kLongestGap ? advanced_ + kPeriod : now) - job.start);
 }
 
-// Where a joint should be `ahead` from now, if anything moves it then.
+// Where the plan has a joint `ahead` seconds from now; no value if nothing moves the joint then.
 std::optional<Trajectory::Start> JointPlan::stateOf(std::size_t joint, SteadyTime now, double ahead) const {
   for (const Job& job : jobs_) {
     if (job.run && !job.has_ended && !job.run->over && job.moves(table_[joint].name)) {
@@ -271,7 +271,7 @@ void JointPlan::resume(SteadyTime now) {
   }
 }
 
-// A trajectory begins as early as its first positions have to be sent. From then on it alone moves its joints.
+// A trajectory begins as early as its first positions have to be sent. From then on, nothing else moves its joints.
 void JointPlan::begin(Job* job, SteadyTime now) {
   try {
     const Trajectory trajectory = plan(*job, now);
@@ -288,7 +288,7 @@ void JointPlan::begin(Job* job, SteadyTime now) {
   }
 }
 
-// Where the joints of a trajectory that runs were last sent.
+// The targets that were last sent for a trajectory that runs.
 JointTargets JointPlan::targetsOf(const Job& job) const {
   JointTargets targets;
   for (const Trajectory::Start& sent : job.run->sent) {

@@ -31,7 +31,7 @@ struct Tolerance {
 
 /// When the joints of a trajectory count as arrived.
 struct Arrival {
-  bool is_measured = false;  ///< true: the plan decides this from measurements; false: the robot does
+  bool is_measured = false;  ///< true: the plan measures whether they have arrived; false: the robot says so
   std::map<std::string, Tolerance> tolerances;  ///< only of joints whose tolerance is not the usual one
   std::chrono::milliseconds grace{2000};        ///< how late the joints may be
 };
@@ -46,23 +46,23 @@ struct JointStep {
 /// The plan for the joints. It contains trajectories, and the latest command to each joint. From these it computes
 /// where each joint should be at a time.
 ///
-/// Trajectories of different joints run side by side. When one starts, it replaces the one that moves a joint of it,
+/// Trajectories of different joints run side by side. When one starts, it replaces those that move one of its joints,
 /// and goes on from the position and velocity planned for that time. It replaces at once those that would start later.
 ///
-/// Only a few trajectories may wait for their time: kMostWaiting in all, and kMostWaitingForJoint for each joint. One
-/// that starts at once does not wait, so it is never one too many.
+/// Only a few trajectories may wait for their time: kMostWaiting in all, and kMostWaitingForJoint for each joint. A
+/// trajectory that starts at once does not wait, so these limits never refuse it.
 ///
 /// A trajectory stays in the plan until forget(), unless the plan ends it: if it cannot begin, or if a newer one has
 /// replaced it. A trajectory whose arrival is measured is done when all its joints have been measured at their targets,
-/// after the planned time. If a joint has not arrived after the grace time, it ends as not reached. If a joint is not
-/// measured any more, its end is unknown.
+/// after the planned time. If a joint has not arrived after the grace time, the trajectory ends as not reached. If a
+/// joint is not measured any more, the end is unknown.
 ///
 /// Every kPeriod the robot is told where the joints should be kLookahead later. So the robot always knows what comes
-/// next, and a message that is late by less than kLookahead does not make it falter. If the caller stalls for
-/// longer than kLongestGap, the joints have stopped meanwhile, and would have to jump to catch up. So trajectories
+/// next, and a message that is late by less than kLookahead does not make it falter. If the caller stalls for longer
+/// than kLongestGap, the joints have stopped meanwhile, and would have to jump to catch up. So the trajectories then
 /// resume where they were.
 ///
-/// It sends nothing and reads no clock. Only one thread at a time may use it.
+/// The plan sends nothing and reads no clock. Only one thread at a time may use it.
 class JointPlan {
  public:
   static constexpr std::chrono::milliseconds kPeriod{32};
@@ -75,7 +75,7 @@ class JointPlan {
   struct End {
     MovementId id = 0;
     EndedHow how = EndedHow::kDone;
-    std::string reason;  ///< as EndedMovement::reason
+    std::string reason;  ///< the same as EndedMovement::reason
   };
 
   /// @param table, measured must outlive the plan
@@ -97,9 +97,9 @@ class JointPlan {
   /// @return what has to be sent now
   std::vector<JointStep> advance(SteadyTime now);
 
-  /// Targets that make each joint that may be moving stay where it is, without turning back. They are for a robot that
-  /// has no request to hold. A joint of a command stays where it should be by now. A joint of a trajectory stays where
-  /// it was last sent.
+  /// Targets that make each joint that may be moving stay where it is, without turning back. They are for a robot whose
+  /// server has no request to hold. A joint of a command stays where it should be by now. A joint of a trajectory stays
+  /// where it was last sent.
   /// @param only the joints of this trajectory; empty means all joints
   JointTargets holdingTargets(SteadyTime now, std::optional<MovementId> only = std::nullopt) const;
 
@@ -119,8 +119,8 @@ class JointPlan {
   /// @return empty before the trajectory's beginning and after its end
   std::vector<Trajectory::Start> wantedBy(MovementId trajectory, SteadyTime now) const;
 
-  /// True if a trajectory goes on after an order of it has ended so: if steps are left, or its arrival is measured
-  /// here.
+  /// True if a trajectory goes on after one of its orders has ended in this way: if steps are left, or if the plan
+  /// measures its arrival.
   bool goesOnAfter(MovementId trajectory, EndedHow how) const;
 
   /// True if there is no trajectory.
@@ -146,7 +146,7 @@ class JointPlan {
     Trajectory trajectory;
     std::vector<Trajectory::Start> sent;  // where the joints were last sent; advance() sets it at once
     bool end_sent = false;
-    std::optional<SteadyTime> over;  // after this time its joints should be where they were sent
+    std::optional<SteadyTime> over;  // when its joints should be where they were sent
   };
 
   struct Job {

@@ -35,8 +35,8 @@ struct JointProperties {
 /// The joints of a robot, as aibo_rcserver/robot_model lists them.
 class JointTable {
  public:
-  /// @param design the robot's name in OPEN-R: "ERS-7" or "ERS-210"
   /// A joint that is slower than a limit by itself keeps its own highest speed.
+  /// @param design the robot's name in OPEN-R: "ERS-7" or "ERS-210"
   /// @param speed_limit rad/s, for every joint that is commanded
   /// @param motion_speed_limit rad/s, for every joint while a motion file is played
   /// @throw InvalidArgumentException there is no table for this design
@@ -47,7 +47,7 @@ class JointTable {
   std::size_t size() const { return joints_.size(); }
   const JointProperties& operator[](std::size_t index) const { return joints_[index]; }
 
-  /// The speed limit in force, in rad/s. Any thread may call it.
+  /// The speed limit in force, in rad/s. Any thread may call this function.
   double speedLimit(std::size_t index) const { return joints_[index].highest_speed * speed_scale_; }
 
   /// The speed limits of all joints while a motion file is played. Any thread may call it.
@@ -88,7 +88,7 @@ class JointTable {
   std::atomic<double> speed_scale_{1.0};
 };
 
-/// Targets with speeds, by RCServer identifier.
+/// Targets with speeds, by the joints' RCServer identifiers.
 using JointTargets = std::map<int, aibo_client::JointTarget>;
 
 /// Call this before a command is sent. To a robot of another design, the numbers in the command mean other joints and

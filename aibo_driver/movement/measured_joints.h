@@ -28,8 +28,8 @@ class MeasuredJoints {
   /// @param table must outlive the object
   explicit MeasuredJoints(const JointTable& table);
 
-  /// Computes velocities from two positions and the robot's own time. If the telemetry has no frame number, it uses the
-  /// time of arrival instead. It ignores joints that are not in the table.
+  /// Computes each velocity from two positions and the robot's own time or, if the telemetry has no frame number, the
+  /// time of arrival. Joints that are not in the table are ignored.
   void update(const aibo_client::Telemetry& telemetry);
 
   /// Forgets everything. Call this when the connection is lost.

@@ -32,9 +32,9 @@ struct Movement {
   std::string source;               ///< the node that asked for it
   std::vector<std::string> joints;  ///< the joints that it moves; unknown if the robot moves by itself
   std::optional<SteadyTime> end;    ///< when a trajectory that has begun will end
-  std::uint64_t order = 0;          ///< its number; no two movements of a driver have the same
+  std::uint64_t order = 0;          ///< the movement's number; no two movements of a driver have the same
 
-  /// Nothing else of a movement changes.
+  /// Compares only what can change while a movement goes on.
   bool operator==(const Movement& other) const {
     return order == other.order && joints == other.joints && end == other.end;
   }
@@ -45,20 +45,20 @@ struct Movement {
 struct EndedMovement {
   Movement movement;
   aibo_client::EndedHow how = aibo_client::EndedHow::kDone;
-  std::string reason;  ///< in words that follow a colon; empty if it is done
+  std::string reason;  ///< in words to put after a colon; empty if the movement is done
 };
 
-/// How many joints or LEDs a message may name. A robot has fewer than 50. Looking for a million unknown names would
-/// keep others waiting.
+/// How many joints or LEDs a message may name. A robot has fewer than 50. A search for a million unknown names would
+/// keep other orders waiting.
 constexpr std::size_t kMostNames = 1000;
 
-/// Says that a message names more than kMostNames, in words that follow a colon. The text is empty if it does not.
+/// Says that a message names more than kMostNames, in words to put after a colon; empty if it does not.
 std::string describeTooMany(std::size_t names);
 
 /// Lists the first three names, and says how many more there are.
 std::string listOf(const std::vector<std::string>& names, const std::string& separator = ", ");
 
-/// Describes a movement in words that begin a sentence, such as "The trajectory of head_pan".
+/// Describes a movement in words to begin a sentence with, such as "The trajectory of head_pan".
 std::string describe(const Movement& movement);
 
 }  // namespace aibo_driver::movement

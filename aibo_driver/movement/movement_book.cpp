@@ -12,16 +12,16 @@ namespace {
 
 using Kind = Movement::Kind;
 
-// Orders that are repeated after shorter breaks are one order to their user.
+// To its user, an order that is repeated after a shorter break than this is one order.
 constexpr std::chrono::milliseconds kRepeatedWithin{500};
 
-// The sender of an order chooses a part of the reason. It is published, remembered, and sent to other nodes.
+// Limits the reason: the sender of an order chooses a part of it, and it is published, remembered, and sent to nodes.
 EndedMovement endOf(Movement movement, EndedHow how, const std::string& reason) {
   constexpr std::size_t kLongestReason = 1000;
   return {std::move(movement), how, text::plainLine(reason, kLongestReason)};
 }
 
-// With what became of its earlier orders.
+// Puts what went wrong with earlier orders of the movement before the reason.
 std::string withTrouble(const MovementBook::Record& record, EndedHow how, const std::string& reason) {
   if (how == EndedHow::kDone || record.trouble.empty() || record.trouble == reason) {
     return reason;

@@ -26,19 +26,19 @@ namespace aibo_driver::movement {
 /// Knows the movements that have not ended, and how the latest have ended.
 ///
 /// A movement sends one or more orders to the robot, each with a number of its own. The book keeps the set of those
-/// that the robot has not ended yet. The movement ends when this set is empty, with the end that emptied it. So nothing
-/// is guessed from what an end is about. Only trajectories have more to send then, and only their own tolerances are
+/// that the robot has not ended yet. The movement ends when this set is empty, with the end that emptied it. So no
+/// end is ever guessed. Only a trajectory may have more to send when its set is empty, and only its tolerances are
 /// judged here.
 ///
-/// One thread at a time may use a book.
+/// Only one thread at a time may use a book.
 class MovementBook {
  public:
   using OrderNumber = std::uint64_t;
 
-  /// How many ends are remembered.
+  /// How many ended movements are remembered.
   static constexpr std::size_t kEndsRemembered = 64;
 
-  /// How a movement that was ended on purpose is told to have ended, unless something else ended it first.
+  /// How a movement that was halted is reported as ended, unless something else ended it first.
   struct Halt {
     aibo_client::EndedHow how = aibo_client::EndedHow::kStopped;
     std::string reason;  ///< empty if nobody has to be told
@@ -49,15 +49,15 @@ class MovementBook {
     Movement movement;
     std::promise<EndedMovement> promise;
     std::shared_future<EndedMovement> end;
-    std::set<OrderNumber> orders;       ///< those that were sent and have not ended
-    std::optional<Halt> halt;           ///< it sends nothing more, and ends when its orders have ended
-    std::string trouble;                ///< what became of an order while others went on
+    std::set<OrderNumber> orders;       ///< the orders that were sent and have not ended
+    std::optional<Halt> halt;           ///< set if the movement sends nothing more, and ends when its orders have ended
+    std::string trouble;                ///< what went wrong with an order while others went on
     std::optional<SteadyTime> steered;  ///< for a walk to a goal: when it was last steered
 
     MovementId id() const { return movement.order; }
     bool is(Movement::Kind kind) const { return movement.kind == kind; }
 
-    /// True if it was halted for a reason that somebody has to be told.
+    /// True if the movement was halted for a reason that somebody has to be told.
     bool hasReasonToEnd() const { return halt && !halt->reason.empty(); }
   };
 
@@ -67,15 +67,15 @@ class MovementBook {
   /// A number that no movement and no order has had.
   OrderNumber nextNumber() { return ++last_number_; }
 
-  /// @param movement gets a number unless it has one
-  /// @param order the number of its first order, if that was sent
+  /// @param movement the movement, which gets a number unless it has one
+  /// @param order the number of the movement's first order, if that was sent
   Record& begin(Movement movement, std::optional<OrderNumber> order = std::nullopt);
 
   /// Notes a movement that is refused. If commands and walks of one node are refused again and again for the same
   /// reason, with less than half a second between them, only the first is noted.
   EndedMovement refuse(Movement movement, const std::string& reason, SteadyTime now);
 
-  /// The movement sends nothing more. It ends now if the robot has ended all of its orders.
+  /// Makes a movement send nothing more. It ends now if the robot has ended all of its orders.
   void halt(Record* record, const Halt& halt);
 
   /// Halts all movements that fulfil a condition and have not been halted.
@@ -126,10 +126,10 @@ class MovementBook {
   /// @return null if no movement waits for the end of this order
   Record* ownerOf(OrderNumber order);
 
-  /// The walk that may be steered.
+  /// The walk that can be steered; null if there is none.
   Record* findWalk();
 
-  /// If a node commands the same joints again, the same movement goes on.
+  /// The movement that goes on if a node commands the same joints again; null if there is none.
   Record* findCommand(const Movement& movement);
 
   /// The movements that go on, with the joints that they still move, and with their ends.
@@ -151,7 +151,7 @@ class MovementBook {
 
   JointPlan& plan_;
   std::list<Record> records_;
-  OrderNumber last_number_ = 0;  ///< of a movement or an order
+  OrderNumber last_number_ = 0;  ///< the number of the last movement or order
   std::deque<EndedMovement> ended_;
   std::size_t ends_ = 0;
   std::vector<EndedMovement> news_;

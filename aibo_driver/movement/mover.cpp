@@ -28,7 +28,7 @@ using Lock = std::lock_guard<std::mutex>;
 using Kind = Movement::Kind;
 using std::chrono::milliseconds;
 
-// The robot says this, too, but it means its client: this driver.
+// The robot ends its reason with this when its client, which is this driver, has to let go.
 constexpr const char* kLetGoFirst = "; let go first";
 
 constexpr const char* kNeverWalked = "it was let go before the robot walked";
@@ -39,7 +39,7 @@ OrderTerms termsOf(const Order& order, std::uint64_t number) {
   return {order.received + Mover::kLongestWait, number};
 }
 
-// If ask() throws, the future throws the same.
+// Returns the future of ask(), or one that throws what ask() has thrown.
 template <typename Ask>
 auto futureOf(const Ask& ask) {
   try {
@@ -51,7 +51,7 @@ auto futureOf(const Ask& ask) {
   }
 }
 
-// Turns a sentence into a reason that follows a colon.
+// Turns a sentence into a reason to put after a colon.
 std::string reasonOf(std::string sentence) {
   if (!sentence.empty() && sentence.back() == '.') {
     sentence.pop_back();
@@ -63,7 +63,7 @@ std::string reasonOf(const std::exception& error) {
   return reasonOf(std::string(error.what()));
 }
 
-// The end of what could not be sent.
+// How an order ends that could not be sent.
 EndedHow howOf(const Exception& error, EndedHow unless_lost) {
   const bool is_lost = dynamic_cast<const NetworkException*>(&error) != nullptr &&
                        dynamic_cast<const aibo_client::TimeoutException*>(&error) == nullptr;
@@ -161,7 +161,7 @@ Mover::Answer Mover::command(const Order& order, const std::vector<std::string>&
     Record* const same = book_.findCommand(*movement);
     Record& record = same != nullptr ? *same : book_.begin(*movement);
     record.orders.insert(number);
-    record.trouble.clear();  // the robot tries again
+    record.trouble.clear();  // the robot tries the command again
     plan_.command(record.id(), targets, now);
     book_.haltEach([&](const Record& each) { return isTrajectoryOf(each, movement->joints); },
                    {EndedHow::kReplaced, "a command moves its joints"});
@@ -204,12 +204,12 @@ Mover::Answer Mover::play(const Order& order, const std::string& name, int repet
     requireRoom(movement->kind);
     const std::string cause = order.source + " plays " + name;
     endTrajectories(cause);
-    // Otherwise the robot would keep lower limits of earlier commands.
+    // The robot would keep lower limits of earlier commands during the motion.
     client_.setJointSpeedLimits(table_.motionSpeedLimits());
     const OrderNumber number = book_.nextNumber();
     answer = client_.beginMotion(name, repetitions, kTimeout, termsOf(order, number));
     if (book_.findWalk() == nullptr) {
-      streams_.overrule(clock_(), cause);  // it may need the legs; if there is a walk, the robot says whether it does
+      streams_.overrule(clock_(), cause);  // a motion may need the legs; during a walk, the robot says whether it does
     }
     return answerOf(book_.begin(*movement, number));
   };
@@ -222,7 +222,7 @@ Mover::Answer Mover::takePosture(const Order& order, Posture posture) {
   const auto act = [&](Movement* movement) {
     requireRoom(movement->kind);
     const std::string cause = order.source + " called " + movement->name;
-    endTrajectories(cause);  // also those of the head, which the robot may level on its way
+    endTrajectories(cause);  // the trajectories of the head, too, because the robot may level its head on its way
     freeLegs(cause);
     const OrderNumber number = book_.nextNumber();
     answer = client_.beginPosture(posture, kTimeout, termsOf(order, number));
@@ -252,7 +252,7 @@ std::string Mover::refusal(const Order& order) const {
   return refusalOf(order);
 }
 
-// An order that waited in a queue, for whatever reason, moves nothing.
+// Why an order must not act now; empty if it may. An order is too old whatever it has waited for.
 std::string Mover::refusalOf(const Order& order, bool may_act_while_stopped) const {
   if (stopped_by_ && !may_act_while_stopped) {
     return "stopped by " + *stopped_by_ + "; call release";
@@ -273,7 +273,7 @@ void Mover::overrule(SteadyTime received, const std::string& what) {
   }
 }
 
-// Waits for the robot's answer to a request that begins something. How it ends is told elsewhere.
+// Waits until the robot has answered a request that begins a movement. The movement's end is reported elsewhere.
 template <typename Reply>
 Mover::Answer Mover::await(Answer begun, std::future<Reply>* reply) {
   if (!reply->valid()) {
@@ -313,7 +313,7 @@ void Mover::steer(const Order& order, const WalkVelocity& velocity) {
   });
 }
 
-// Zeros are sent even if the walk is braking already.
+// A velocity of 0 is sent even if the walk is braking already.
 void Mover::stopWalk(const std::string& node) {
   if (book_.findIf([](const Record& each) { return each.is(Kind::kWalk) && !each.orders.empty(); }) != nullptr) {
     sendZeros();
@@ -335,7 +335,7 @@ void Mover::walk(const Order& order, const WalkVelocity& velocity, Movement move
     requireDesign(client_, table_.design());
     freeLegs(order.source + " lets the robot walk");
     if (record == nullptr) {
-      client_.steer({}, termsOf(order, 0));  // this node has let go; the robot may wait for it
+      client_.steer({}, termsOf(order, 0));  // the node has let go, and the robot may wait for that
     }
     client_.steer(velocity, termsOf(order, number));
   } catch (const Exception& error) {
@@ -361,7 +361,7 @@ Mover::Answer Mover::walkToGoal(const Order& order, const std::string& goal) {
   return give(order, Kind::kWalk, goal, {}, act);
 }
 
-// The velocity is as old as the call before, because what it is computed from may be.
+// The order counts as old as the previous call, because the pose that the velocity was computed from may be as old.
 void Mover::steerToGoal(MovementId walk, const WalkVelocity& velocity) {
   change([&] {
     checkConnection();
@@ -406,12 +406,12 @@ void Mover::sendZeros() {
   try {
     client_.steer({}, {clock_() + kLongestWait, 0});
   } catch (const Exception&) {
-    return;  // without a connection the robot stops by itself
+    return;  // without a connection, the robot stops by itself
   }
 }
 
-// Tells the robot to end movements. Those whose end it has not told when it answers end then.
-// @param only halts this movement; empty means all
+// Tells the robot to end movements. A movement that the robot has not reported as ended when it answers ends then.
+// @param only the movement to halt; empty means all
 template <typename Ask>
 auto Mover::halt(std::optional<MovementId> only, const std::string& reason, const Ask& ask) {
   std::vector<MovementId> halted;
@@ -501,7 +501,7 @@ void Mover::cancel(MovementId movement, const std::string& reason) {
       joints.push_back(joint);
     }
     if (std::find_first_of(joints.begin(), joints.end(), legs.begin(), legs.end()) != joints.end()) {
-      streams_.overrule(clock_(), reason);  // so does the robot when a leg is held
+      streams_.overrule(clock_(), reason);  // the robot, too, ends a walk when a leg is held
     }
     return joints.empty() ? std::async(std::launch::deferred, [] {}) : hold(joints, movement);
   };
@@ -545,13 +545,13 @@ bool Mover::setMotors(const Order& order, bool on) {
   return is_on;
 }
 
-// Whoever steers has to let go first.
+// Ends all walks. A node that goes on steering has to let go first.
 void Mover::overruleWalks(const Halt& halt) {
   streams_.overrule(clock_(), halt.reason);
   book_.haltEach([](const Record& each) { return each.is(Kind::kWalk); }, halt);
 }
 
-// A version 1 server cannot hold. It gets the places where the joints should be, and is told to end its motions.
+// Holds joints. A version 1 server cannot hold, so it is told where the joints should be, and to end its motions.
 std::future<void> Mover::hold(const std::vector<int>& joints, std::optional<MovementId> only) {
   try {
     return client_.beginHold(joints, kTimeout);
@@ -574,7 +574,7 @@ void Mover::steered(const WalkVelocity& in_force, std::uint64_t order, std::uint
     Record* const walker = book_.ownerOf(walk);
     if (record == nullptr) {
       if (walk != 0 && walker == nullptr && !in_force.isZero()) {
-        sendZeros();  // whoever asked for it was told that it has ended
+        sendZeros();  // the node that asked for this walk was told that it has ended
       }
       return;
     }
@@ -593,7 +593,7 @@ void Mover::steered(const WalkVelocity& in_force, std::uint64_t order, std::uint
 }
 
 void Mover::ended(const aibo_client::ActivityEnd& end) {
-  // With version 1, it says that some of the joints were refused.
+  // With version 1, kRefused says that some of the joints were refused.
   const bool is_not_reached =
       end.kind == EndedKind::kJoints && end.how == EndedHow::kRefused && client_.status().protocol_version != 1;
   const EndedHow how = is_not_reached ? EndedHow::kNotReached : end.how;
@@ -602,11 +602,11 @@ void Mover::ended(const aibo_client::ActivityEnd& end) {
   }
   change([&] {
     if (end.kind == EndedKind::kWalk || end.kind == EndedKind::kPosture) {
-      // The legs may be anywhere. After "rest" the robot may even be in somebody's hands.
+      // After this, the legs may be anywhere. After "rest", the robot may even be in somebody's hands.
       filter_.startApproach();
     }
     Record* const record = book_.ownerOf(end.order);
-    // A velocity of 0 and silence are steering's ends. They overrule nobody.
+    // A walk that ends by a velocity of 0 or by silence has been ended by its node, and overrules nobody.
     const bool is_walk = end.kind == EndedKind::kWalk;
     const bool is_steerings = end.how == EndedHow::kDone || end.how == EndedHow::kStopped;
     if (is_walk && !is_steerings) {
@@ -617,13 +617,13 @@ void Mover::ended(const aibo_client::ActivityEnd& end) {
       return;
     }
     if (is_walk && (!is_steerings || record->steered)) {
-      record->orders = {end.order};  // what was sent since begins no walk for it
+      record->orders = {end.order};  // velocities that were sent since then begin no new walk for this record
     }
     book_.endOrder(record, end.order, how, end.reason);
   });
 }
 
-// Nobody is told if a newer command has replaced it, which may happen hundreds of times a second.
+// The end of an older command of the same movement calls no listener, because there may be hundreds in a second.
 bool Mover::endOlder(OrderNumber order, EndedHow how, const std::string& reason) {
   const Lock lock(mutex_);
   Record* const record = book_.ownerOf(order);
@@ -651,9 +651,9 @@ void Mover::refused(const aibo_client::Refusal& refusal) {
     if (never_walks || (is_walk && is_robots)) {
       streams_.overrule(clock_(), refusal.reason.substr(0, refusal.reason.find(kLetGoFirst)));
     }
-    // What waited for the memory stick is refused because of a stop, or of whatever else has halted it.
+    // A request that waited for the memory stick is refused if a stop, or anything else, has halted its movement.
     const bool was_halted = record->hasReasonToEnd();
-    // A trajectory with a gap is none, and a robot that does not want to walk is not asked again.
+    // A trajectory must have no gap, and a robot that has refused to walk is not asked again.
     const bool is_trajectory = record->is(Kind::kTrajectory);
     if (!record->halt && ((is_trajectory && is_refused) || (is_walk && is_robots))) {
       book_.halt(record, {EndedHow::kRefused, refusal.reason});
@@ -732,7 +732,7 @@ std::vector<std::string> Mover::known(const std::vector<std::string>& names) con
   });
 }
 
-// After a new connection the robot may have any posture, and it has stopped whatever moved before.
+// Ends everything after a new connection, because the robot has stopped and may have any posture.
 void Mover::checkConnection() {
   const std::uint64_t present = client_.statistics().connections;
   if (connection_ != present) {
@@ -744,7 +744,7 @@ void Mover::checkConnection() {
   }
 }
 
-// An order that moves a leg takes the legs from a walk.
+// Ends the walks if an order moves a leg.
 void Mover::takeLegsFromWalks(const Movement& movement) {
   const std::vector<std::string> legs = table_.namesOfLegs();
   const auto leg = std::find_first_of(legs.begin(), legs.end(), movement.joints.begin(), movement.joints.end());
@@ -757,8 +757,8 @@ void Mover::endTrajectories(const std::string& reason) {
   book_.haltEach([](const Record& each) { return each.is(Kind::kTrajectory); }, {EndedHow::kReplaced, reason});
 }
 
-// Movements of the head alone go on. A walk needs the full speed of the legs, but the robot would keep lower speed
-// limits of earlier commands.
+// Frees the legs for a walk or a posture. Movements of the head alone go on. A walk needs the full speed of the legs,
+// but the robot would keep lower speed limits of earlier commands.
 void Mover::freeLegs(const std::string& reason) {
   const std::vector<std::string> legs = table_.namesOfLegs();
   book_.haltEach([&](const Record& each) { return isTrajectoryOf(each, legs); }, {EndedHow::kReplaced, reason});
@@ -768,7 +768,7 @@ void Mover::freeLegs(const std::string& reason) {
   }
 }
 
-// The steps are as old as the call before, because the robot's joints may have got somewhere else since.
+// The orders count as old as the previous call, because the joints may have moved elsewhere since.
 void Mover::sendSteps(SteadyTime now) {
   for (const JointStep& step : plan_.advance(now)) {
     const OrderNumber number = book_.nextNumber();

@@ -24,7 +24,7 @@
 
 namespace aibo_driver::movement {
 
-/// Every order to move enters here, and is told how it has ended.
+/// Gives all orders to move to the robot, and knows how each has ended.
 ///
 /// An order never fails. It begins a movement, which has exactly one end. A movement that is not carried out ends as
 /// refused. If a node commands the same joints again, or steers on, the same movement goes on. If orders of one kind by
@@ -57,10 +57,10 @@ class Mover {
   struct Answer {
     MovementId id = 0;
     std::shared_future<EndedMovement> end;  ///< becomes ready when the movement has ended
-    bool is_uncertain = false;  ///< the robot has not said whether the movement begins; `end` tells it later
-    std::string remark;         ///< the reason if is_uncertain; otherwise the result of RcServerClient::playMotion()
+    bool is_uncertain = false;              ///< the robot has not said whether the movement begins; `end` will tell
+    std::string remark;  ///< the reason if is_uncertain; otherwise the result of RcServerClient::playMotion()
 
-    /// Null if the movement goes on.
+    /// The end of the movement; null while it goes on.
     const EndedMovement* ended() const {
       const bool is_over = end.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
       return is_over ? &end.get() : nullptr;
@@ -68,20 +68,20 @@ class Mover {
   };
 
   struct State {
-    std::vector<Movement> movements;        ///< those that go on now
+    std::vector<Movement> movements;        ///< the movements that go on now
     std::vector<EndedMovement> ended;       ///< the latest ends; the newest is last
     std::size_t ends = 0;                   ///< how many have ended so far
     aibo_client::MotorsAndPosture robot;    ///< what the robot reports about itself
     std::optional<std::string> stopped_by;  ///< the node that has stopped the robot; empty unless it is stopped
-    SteadyTime overruled;                   ///< when the newest order was received that overrules others
+    SteadyTime overruled;                   ///< when the newest order that overrules others was received
   };
 
   /// These functions are called on the thread of the call that caused them, without a lock.
   struct Listener {
-    std::function<void()> on_change = [] {};  ///< called when state() may have changed
+    std::function<void()> on_change = [] {};  ///< called after state() may have changed
     std::function<void()> on_begin = [] {};   ///< called when advance() has to be called from now on
     std::function<void(const EndedMovement&)> on_ended = [](const auto&) {};  ///< called for each end, in order
-    /// Called with what was left out of an order.
+    /// Called with a sentence about what was left out of an order.
     std::function<void(const std::string& text)> on_warning = [](const auto&) {};
   };
 
@@ -110,8 +110,8 @@ class Mover {
 
   /// Begins a trajectory. JointPlan says how trajectories follow each other.
   /// @param wait the time until it begins; below 0 if it should have begun already
-  /// @param arrival if it is not measured, the robot says whether the joints have arrived. With a version 1 server, it
-  ///   is always measured
+  /// @param arrival if is_measured is false, the robot says whether the joints have arrived. With a version 1 server,
+  ///   the arrival is always measured
   Answer follow(const Order& order, const TrajectoryRequest& request, std::chrono::nanoseconds wait,
                 const Arrival& arrival = {});
 
@@ -124,7 +124,7 @@ class Mover {
   Answer takePosture(const Order& order, aibo_client::Posture posture);
 
   /// Makes the robot walk: see RcServerClient::steer() and SteeringStreams. It ends whatever moves the robot's legs. A
-  /// velocity of 0 ends the walk, whoever sends it. It is sent only if there is a walk to end, so a robot that sits
+  /// velocity of 0 ends the walk, whoever sends it. But it is sent only if there is a walk to end, so a robot that sits
   /// goes on sitting. Before each new walk, the robot is told that its user has let go, because it may wait for that.
   void steer(const Order& order, const aibo_client::WalkVelocity& velocity);
 
@@ -133,8 +133,8 @@ class Mover {
   /// @param goal the goal in words
   Answer walkToGoal(const Order& order, const std::string& goal);
 
-  /// Steers a walk to a goal, unless it has ended. Call this several times a second. A velocity of 0 ends the walk: it
-  /// is done.
+  /// Steers a walk to a goal, unless it has ended. Call this several times a second. A velocity of 0 ends the walk,
+  /// which is then done.
   void steerToGoal(MovementId walk, const aibo_client::WalkVelocity& velocity);
 
   /// Notes that an order is refused.
@@ -143,11 +143,11 @@ class Mover {
                 const std::string& reason);
 
   /// Why an order that the mover does not carry out itself, such as to flick an ear, must not act now. The text is
-  /// empty if it may act.
+  /// empty if the order may act.
   std::string refusal(const Order& order) const;
 
   /// @}
-  /// @name Ends
+  /// @name Calls that end movements
   /// @{
 
   /// Ends everything that moves the robot, and refuses all orders but the posture rest until release().
@@ -179,8 +179,8 @@ class Mover {
   void stopWalking(const std::string& reason);
 
   /// Switches the motors. Switching them off ends all movements, and is possible even if the robot is stopped.
-  /// Switching them on is then refused, because the joints would stiffen in somebody's hands. Afterwards the robot may
-  /// have any posture, so all joints are approached again.
+  /// Switching them on while the robot is stopped is refused, because the joints would stiffen in somebody's hands.
+  /// Afterwards the robot may have any posture, so all joints are approached again.
   /// @return true if the motors are on now
   /// @throw CommandException the order to switch them on is refused
   /// @throw the exceptions of RcServerClient::setMotors()
@@ -202,8 +202,8 @@ class Mover {
   /// @return false if there is nothing left to move
   bool advance();
 
-  /// Where a trajectory wants its joints to be at a time, now or shortly before, in its own order of joints. It is
-  /// empty before the trajectory's beginning and after its end.
+  /// Where a trajectory wants its joints to be now or at a time shortly before, in its own order of joints. It is empty
+  /// before the trajectory's beginning and after its end.
   std::vector<Trajectory::Start> wantedBy(MovementId trajectory, SteadyTime time) const;
 
   State state() const;
@@ -255,15 +255,15 @@ class Mover {
   JointCommandFilter filter_;
   JointPlan plan_;
   MovementBook book_;
-  std::string warning_;  ///< that the listener has not been told yet
+  std::string warning_;  ///< calls of the listener that are still to be made
   std::optional<std::string> stopped_by_;
-  SteadyTime overruled_;  ///< orders that were received before are refused
+  SteadyTime overruled_;  ///< orders that were received before this time are refused
   std::string overruled_by_;
   SteeringStreams streams_;
-  SteadyTime advanced_;  ///< when advance() was last called, or a trajectory was asked for since
+  SteadyTime advanced_;  ///< when advance() was last called, or when a trajectory was last asked for
   aibo_client::MotorsAndPosture robot_;
   int pending_halts_ = 0;         ///< calls that wait for the robot to halt
-  std::uint64_t connection_ = 0;  ///< the connection over which all present movements were begun
+  std::uint64_t connection_ = 0;  ///< the connection over which all movements that go on were begun
 };
 
 }  // namespace aibo_driver::movement

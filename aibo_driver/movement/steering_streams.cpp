@@ -12,7 +12,7 @@ std::string SteeringStreams::receive(const Order& order, bool is_zero, SteadyTim
     return "";
   }
   Stream& stream = streams_.try_emplace(order.source, Stream{order.received, {}}).first->second;
-  stream.last = now;  // a velocity that waited while this process stalled is not a pause of its node
+  stream.last = now;  // the node has not paused if its velocity waited while this process stalled
   return stream.began <= overruled_ ? overruled_by_ : "";
 }
 

@@ -10,14 +10,14 @@
 
 namespace aibo_driver::movement {
 
-/// The nodes that steer the robot. The velocities that a node sends without a longer pause are a stream. A stream
+/// The nodes that steer the robot. Velocities that a node sends with no pause longer than kPause are a stream. A stream
 /// counts only if it began after everything that overrules streams. So a node that was overruled has to let go before
 /// it can move the robot again: it has to send a velocity of 0, or pause.
 ///
-/// Only one thread at a time may use it.
+/// Only one thread at a time may use an object of this class.
 class SteeringStreams {
  public:
-  /// A stream has ended when no velocity has come for this long.
+  /// The pause in a node's velocities after which its stream has ended.
   static constexpr std::chrono::milliseconds kPause{500};
 
   /// Notes a velocity. The time for which this process stalled is not a pause of the node.

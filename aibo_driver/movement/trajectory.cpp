@@ -13,7 +13,7 @@ namespace {
 
 using Point = TrajectoryRequest::Point;
 
-// Programs round a limit of 88 degrees to 1.536. The robot clamps such a position.
+// Programs round a limit of 88 degrees to 1.536. The robot clamps a position that is beyond its limit.
 constexpr double kPositionTolerance = 0.001;  // rad
 
 constexpr double kSpeedTolerance = 1.001;  // for rounding errors
@@ -42,7 +42,7 @@ TrajectoryRequest dropPassedPoints(TrajectoryRequest request, double age) {
   }
   std::vector<Point> left;
   for (Point& point : request.points) {
-    // A time that is not a number is kept. The trajectory's check refuses it.
+    // A time that is not a number fails this comparison and is kept, so the trajectory's check refuses it.
     if (!(point.time_from_start <= age)) {
       point.time_from_start -= age;
       left.push_back(std::move(point));
@@ -177,7 +177,7 @@ void Trajectory::addSegments(const Point& from, const std::vector<Point>& points
     segments_.push_back(segment);
     last = point;
   }
-  if (segments_.empty()) {  // the robot should stay where it is
+  if (segments_.empty()) {  // without segments, the robot should stay where it is
     Segment stay;
     for (const double position : from.positions) {
       stay.joints.push_back({{position, 0, 0, 0}});
@@ -192,7 +192,7 @@ void Trajectory::checkPositions(const JointTable& table) const {
       const JointProperties& joint = table[joints_[i]];
       for (const double time : segment.joints[i].turningPoints(segment.length)) {
         const double position = segment.joints[i].at(time);
-        // A joint that somebody bent beyond its limits may come back.
+        // The trajectory may bring back a joint that somebody has bent beyond its limits.
         const double begin = segment.joints[i].at(0);
         if (position < std::min(joint.lowest, begin) - kPositionTolerance ||
             position > std::max(joint.highest, begin) + kPositionTolerance) {

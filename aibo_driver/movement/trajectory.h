@@ -28,7 +28,7 @@ struct TrajectoryRequest {
 /// @throw InvalidArgumentException all points have passed
 TrajectoryRequest dropPassedPoints(TrajectoryRequest request, double age);
 
-/// A motion of some joints, from where they are now through given points. It keeps the joints' limits.
+/// A motion of some joints, from where they are now through given points. The motion keeps within the joints' limits.
 ///
 /// Between two points that have velocities, it is a cubic polynomial with these velocities at its ends. Otherwise it is
 /// a straight line. A joint that is moving when the trajectory begins keeps its velocity: its way to the first point is

@@ -34,7 +34,7 @@ void DelayFloor::fit() {
 }
 
 // The slope of the lower convex hull's edge over the middle. Of all lines below the points, the line along this edge
-// has the least sum of distances to them. A single point has no slope, so the drift then stays as it is.
+// has the least sum of distances to them. A single point has no slope, so the drift does not change.
 double DelayFloor::driftThrough(double middle) const {
   std::vector<Point> hull;
   const auto slope = [](const Point& from, const Point& to) {

@@ -10,10 +10,10 @@ namespace aibo_driver::robot_time {
 /// Estimates offset and drift between two clocks from messages that travel from one to the other.
 ///
 /// A message can be late, but never early. So we look for the straight line below the measured latenesses that is
-/// closest to them. It shows how far the clocks are apart and how fast they drift, however long the delays are. This
-/// works as long as a message meets no delay once in a while (Moon, Skelly and Towsley, "Estimation and removal of
-/// clock skew from network delay measurements", 1999). All messages have the shortest delay in common. It cannot be
-/// told from an offset of the clocks, so the line contains it.
+/// closest to them. This line shows how far the clocks are apart and how fast they drift, however long the delays are.
+/// This works as long as a message meets no delay once in a while (Moon, Skelly and Towsley, "Estimation and removal of
+/// clock skew from network delay measurements", 1999). All messages have the shortest delay in common. This delay
+/// cannot be told from an offset of the clocks, so the line contains it.
 ///
 /// All times are in seconds, from any origin.
 class DelayFloor {
@@ -22,10 +22,10 @@ class DelayFloor {
   /// noticed after this time.
   static constexpr double kWindow = 30;
 
-  /// Each quartz clock is within 100 ppm of the true time.
+  /// More than the greatest drift between two quartz clocks that are each within 100 ppm of the true time.
   static constexpr double kHighestDrift = 250e-6;
 
-  /// @param sent when it was sent, by the sender's clock
+  /// @param sent when the message was sent, by the sender's clock
   /// @param lateness the arrival by the receiver's clock, less `sent`
   void add(double sent, double lateness);
 

@@ -8,18 +8,18 @@ namespace {
 
 constexpr double kFramePeriod = 0.008;  // s
 
-// Most of a correction takes this time, so that a correction of 10 ms changes the interval of two pictures by less than
-// 0.2 ms. It must exceed kImplausible, the greatest correction.
+// The time in which most of a correction happens, so that a correction of 10 ms changes the interval of two pictures by
+// less than 0.2 ms. It must exceed kImplausible, the greatest correction.
 constexpr double kSmoothing = 2.0;  // s
 
-// A message that is further off is not just delayed, because a robot that streams sends nothing that old.
+// A message that is off by more is not just delayed: a robot that streams sends nothing that old.
 constexpr double kImplausible = 1.0;  // s
 
-// Messages of one connection come in the order in which they were sent. But a picture is older, because encoding takes
-// time.
+// Messages of one connection come in the order in which they were sent. But a picture has an older frame, because
+// encoding takes time.
 constexpr std::int32_t kFramesOfDisorder = 125;
 
-// The radio may delay messages for this long. A robot's frame numbers never stop; those of a simulation may stop.
+// How long the radio may delay messages. A robot's frame numbers never stop, but those of a simulation may.
 constexpr std::chrono::seconds kPatience{5};
 
 double seconds(std::chrono::steady_clock::duration duration) {
@@ -32,7 +32,7 @@ RobotClock::SteadyTime RobotClock::timeOf(std::uint64_t connection_number, std::
                                           SteadyTime arrival) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (connection_number < connection_number_) {
-    return arrival;  // its timeline may have ended
+    return arrival;  // the frame's timeline may have ended
   }
   const auto frames_passed = static_cast<std::int32_t>(frame_number - newest_frame_);
   double passed = kFramePeriod * frames_passed;

@@ -16,15 +16,15 @@ namespace aibo_driver::robot_time {
 ///
 /// - The times keep the intervals of the frame numbers. Corrections are gradual. The times always grow with the frame
 ///   numbers, by at least half of the frames' own time. They jump only where a new timeline begins.
-/// - No time is later than the arrival of its message, unless the time of an earlier frame already was.
-/// - The times are late by the shortest delay that any message has met. This is a few milliseconds, and cannot be
-///   measured from here. They are late by more until the first messages without delay have come, which takes a second
-///   or so.
+/// - No time is later than the arrival of its message, unless the time of an earlier frame already is.
+/// - The times are late by the shortest delay that any message has met. This delay is a few milliseconds, and cannot be
+///   measured from here. The times are late by more until the first messages without delay have come, which takes a
+///   second or so.
 /// - A new timeline begins when the robot was restarted: the frame numbers of a new connection go back or do not fit.
 ///   It also begins when a message comes a second too early, for example after this computer was suspended, and when
 ///   all messages of 5 s come more than a second too late.
 ///
-/// Any thread may call any function.
+/// All functions may be called from any thread.
 class RobotClock {
  public:
   using SteadyTime = std::chrono::steady_clock::time_point;
@@ -56,7 +56,7 @@ class RobotClock {
   std::uint64_t connection_number_ = 0;
   SteadyTime begin_;                ///< when the timeline's first message came
   std::uint32_t newest_frame_ = 0;  ///< the highest frame so far
-  double newest_ = 0;               ///< s, by the robot's clock, from the first message to the newest frame
+  double newest_ = 0;               ///< s, by the robot's clock, from the timeline's first message to the newest frame
   double lateness_ = 0;             ///< s: the newest frame's time is begin_ + newest_ + lateness_
   SteadyTime last_in_time_;         ///< when the last message came that was not too late
   DelayFloor floor_;

@@ -24,7 +24,7 @@ class Level {
   /// The number of samples since take().
   std::size_t count() const { return count_; }
 
-  /// Begins anew. Only if count() is above 0.
+  /// Returns the level since the last call, and begins anew. Call this only if count() is above 0.
   /// @return the effective value in dB, where 0 is that of the loudest square wave; at least -90.3
   double take() {
     constexpr double kLowest = 1;  // samples are whole numbers

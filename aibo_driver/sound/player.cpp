@@ -15,7 +15,7 @@ using aibo_client::SoundEnd;
 
 namespace {
 
-// The robot frees 512 samples at a time, and its clock may be slower than ours.
+// The robot frees room for 512 samples at a time, and its clock may be slower than ours.
 constexpr double kSlowestRate = 0.9 * kSoundRate;
 constexpr std::size_t kFreedAtOnce = 512;
 
@@ -139,7 +139,7 @@ void Player::giveUp() {
   }
 }
 
-// If a request fails, the client reports the end: at once, or when the robot has waited for samples for 2 s.
+// If a request fails, the client reports the sound's end: at once, or when the robot has got no samples for 2 s.
 void Player::feed(Playback* playback, std::size_t room) {
   try {
     for (bool is_last = false; !is_last;) {

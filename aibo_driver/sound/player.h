@@ -27,10 +27,10 @@ struct PlayedSound {
 /// A sound that plays or has played. Any thread may call any function.
 class Playback {
  public:
-  /// Empty while it plays.
+  /// How the sound was played; empty while it plays.
   std::optional<PlayedSound> end() const;
 
-  /// The time since it began.
+  /// The time since the sound began.
   std::chrono::duration<double> time() const { return std::chrono::steady_clock::now() - begin_; }
 
  private:
@@ -39,7 +39,7 @@ class Playback {
   std::uint64_t number_ = 0;
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::unique_ptr<Source> source_;
-  std::vector<std::int16_t> next_;  ///< samples that were read and not sent
+  std::vector<std::int16_t> next_;  ///< samples that were read but not sent
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   bool is_given_up_ = false;                  // guarded by mutex_
@@ -51,7 +51,7 @@ class Playback {
 /// nearly full. Any thread may call any function, except where its comment says otherwise.
 class Player {
  public:
-  static constexpr std::chrono::milliseconds kTimeout{2000};  ///< for an answer of the robot
+  static constexpr std::chrono::milliseconds kTimeout{2000};  ///< how long to wait for an answer of the robot
 
   /// @param client must outlive the player. Its on_sound_ended has to call ended()
   explicit Player(aibo_client::RcServerClient& client) : client_(client) {}
@@ -65,11 +65,11 @@ class Player {
   /// @throw the exceptions of RcServerClient::playSamples()
   std::shared_ptr<Playback> play(std::unique_ptr<Source> source);
 
-  /// Stops this sound, or the one that plays if it is null. Nothing happens if it has ended.
+  /// Stops this sound or, if `playback` is null, the sound that plays. Nothing happens if it has ended.
   /// @throw the exceptions of RcServerClient::stopSound()
   void stop(const std::shared_ptr<Playback>& playback = nullptr);
 
-  /// Call this on the client's thread: it does not block.
+  /// Call this on the client's thread, which it does not block.
   void ended(const aibo_client::SoundEnd& end);
 
   /// True while a sound plays.
@@ -86,7 +86,7 @@ class Player {
   std::mutex order_mutex_;  ///< held from the beginning to the end of play(), stop() and finish()
   std::thread feeder_;      // guarded by order_mutex_
   mutable std::mutex mutex_;
-  std::shared_ptr<Playback> playback_;            // the newest; guarded by mutex_
+  std::shared_ptr<Playback> playback_;            // the newest sound; guarded by mutex_
   std::deque<aibo_client::SoundEnd> early_ends_;  // of sounds that are not playback_ yet; guarded by mutex_
 };
 

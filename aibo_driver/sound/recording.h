@@ -12,21 +12,20 @@
 
 namespace aibo_driver::sound {
 
-/// Writes what the robot hears to a WAV file. Sound that is missing becomes silence, so that all that follows is in
-/// time. The file is a whole one after each part, so nothing of it is lost if the disk is full or the program is
-/// killed.
+/// Writes what the robot hears to a WAV file. Sound that is missing becomes silence, so that the rest keeps its place
+/// in time. After each part the file is complete, so nothing is lost if the disk is full or the program is killed.
 class Recording {
  public:
-  /// @param path of a file that does not exist yet; its folder does
-  /// @param settings of the sound
+  /// @param path the path of a file that does not exist yet, in a folder that does
+  /// @param settings the settings of the sound
   /// @throw files::FileException it cannot be written
   Recording(const std::string& path, const aibo_client::MicrophoneSettings& settings);
 
-  /// Adds what was heard next.
+  /// Adds the sound that was heard next.
   /// @throw files::FileException it cannot be written
   void add(const aibo_client::HeardSound& sound);
 
-  /// The length so far.
+  /// The length of the recording so far.
   double seconds() const { return static_cast<double>(frames_) / settings_.samples_per_second; }
 
  private:

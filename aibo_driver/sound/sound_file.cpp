@@ -37,7 +37,7 @@ struct ResamplerCloser {
   throw FileException("'" + name + "' cannot be played: " + why);
 }
 
-/// libsndfile knows many more formats, which nobody has asked for.
+/// libsndfile knows many more formats, but nobody has asked for them.
 bool isOfKnownFormat(int file) {
   std::array<char, 4> begin{};
   const bool is_read = ::pread(file, begin.data(), begin.size(), 0) == static_cast<ssize_t>(begin.size());
@@ -89,7 +89,7 @@ class FileSource : public Source {
   }
 
  private:
-  /// @return the mean of the channels; nothing at the end, or where the file is damaged
+  /// @return the mean of the channels; empty at the end, or where the file is damaged
   std::vector<float> readBlock() {
     const auto channels = static_cast<std::size_t>(info_.channels);
     std::vector<float> frames(static_cast<std::size_t>(kBlock) * channels);
@@ -103,11 +103,11 @@ class FileSource : public Source {
     return mean;
   }
 
-  /// @param block empty at the end: the resampler gives what it still has
+  /// @param block if empty, the sound has ended, and the resampler gives what it still has
   void resample(const std::vector<float>& block) {
     std::vector<float> out(static_cast<std::size_t>(kBlock));
     SRC_DATA data = {};
-    // Without a place for input, the resampler would keep the end of the sound.
+    // If data_in were null, the resampler would keep the end of the sound.
     const float nothing = 0;
     data.data_in = block.empty() ? &nothing : block.data();
     data.input_frames = static_cast<long>(block.size());

@@ -22,12 +22,12 @@ class Source {
   Source& operator=(const Source&) = delete;
 
   /// The next samples.
-  /// @return fewer than `most` only at the end
+  /// @return `most` samples; fewer only at the end
   virtual std::vector<std::int16_t> read(std::size_t most) = 0;
 };
 
-/// Opens a sound file: WAV, FLAC or Ogg, of any rate, with up to 8 channels, of which the mean is played. It is read
-/// while it plays, so its length does not matter unless it is gzipped.
+/// Opens a sound file: WAV, FLAC or Ogg, of any rate, with up to 8 channels, of which the mean is played. The file is
+/// read while it plays, so its length does not matter unless it is gzipped.
 ///
 /// Anybody who may ask for a sound may name any file, and somebody else may have taken the robot's place. So only
 /// sounds leave this computer.
@@ -35,7 +35,7 @@ class Source {
 /// @throw files::FileException the file cannot be read, or is no such sound; the message says why
 std::unique_ptr<Source> openSoundFile(const std::string& path);
 
-/// The same for a file that is open.
+/// Does the same for a file that is open.
 /// @param name for messages
 std::unique_ptr<Source> readSound(host_files::FileDescriptor file, const std::string& name);
 

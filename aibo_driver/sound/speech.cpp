@@ -30,7 +30,7 @@ constexpr std::size_t kLongestText = 4000;
 constexpr std::size_t kLongestVoice = 40;
 constexpr std::chrono::seconds kLongestTime{20};
 
-// The name becomes an argument of a program, which also takes the paths of files.
+// The voice's name becomes an argument of a program that also takes the paths of files, so it is checked.
 bool isVoice(const std::string& voice) {
   return voice.size() <= kLongestVoice && std::isalnum(static_cast<unsigned char>(voice.front())) != 0 &&
          std::all_of(voice.begin(), voice.end(), [](char c) {

@@ -21,7 +21,7 @@ class Event {
     }
   }
 
-  // Neither call below can fail in a way that matters: a full counter is readable, and an empty one is clear.
+  // It does no harm if one of the calls below fails: a full counter is readable anyway, and an empty one is clear.
 
   /// Makes descriptor() readable. Any thread may call it.
   void raise() noexcept { static_cast<void>(::eventfd_write(descriptor_.get(), 1)); }

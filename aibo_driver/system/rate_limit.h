@@ -8,8 +8,8 @@
 
 namespace aibo_system {
 
-/// Limits something that a robot can send endlessly. A burst may come at once. In the long run, one per period is
-/// admitted. Any thread may call it.
+/// Limits something that a robot can send endlessly. A burst may come at once but, in the long run, one item per period
+/// is admitted. Any thread may call it.
 class RateLimit {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
@@ -33,7 +33,7 @@ class RateLimit {
  private:
   const int burst_;
   std::mutex mutex_;
-  TimePoint refilled_;  ///< when the last one was allowed
+  TimePoint refilled_;  ///< when allowed_ was last raised
   int allowed_;
   std::size_t left_out_ = 0;
 };

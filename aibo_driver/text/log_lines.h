@@ -19,8 +19,8 @@ namespace aibo_driver::text {
 /// as they send it.
 ///
 /// Each statement that logs may log kBurst lines at once, and in the long run one per kPeriod. So a flood from one of
-/// them hides no line of another one. The next line says how many were left out. Lines are cut at kLongest bytes and
-/// shown by plainLine(). Any thread may use it.
+/// them hides no line of another one. The next line of a statement says how many were left out. Lines are cut at
+/// kLongest bytes and shown by plainLine(). Any thread may use it.
 class LogLines {
  public:
   static constexpr int kBurst = 100;

@@ -5,7 +5,7 @@
 namespace aibo_driver::text {
 namespace {
 
-/// The size of the UTF-8 character that begins with this byte, if a character does.
+/// The size of the UTF-8 character that this byte begins, if it begins one.
 std::size_t announcedSize(char byte) {
   const auto first = static_cast<unsigned char>(byte);
   return first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;

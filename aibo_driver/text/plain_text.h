@@ -20,7 +20,7 @@ std::string plainText(const std::string& text);
 /// @param most the most bytes that the line has; a longer text is cut and ends with "..."
 std::string plainLine(const std::string& text, std::size_t most = 80);
 
-/// The first three of any number of things, for a message about all of them. plainLine() shows each of them.
+/// The first three of any number of things, for a message about all of them. Each is shown as by plainLine().
 class FirstThree {
  public:
   /// @param most the most bytes of each thing
@@ -31,7 +31,7 @@ class FirstThree {
   bool empty() const { return count_ == 0; }
   std::size_t count() const { return count_; }
 
-  /// For example, "a, b, c and 2 more".
+  /// The things as one text, such as "a, b, c and 2 more".
   /// @param separator the text between the things that are shown
   std::string text(const std::string& separator = ", ") const;
 

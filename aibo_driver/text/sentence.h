@@ -6,7 +6,7 @@
 
 namespace aibo_driver::text {
 
-/// The text with a full stop, unless it ends with a mark of its own. Some reasons end with a question to the user.
+/// Adds a full stop, unless the text ends with a mark of its own. Some reasons end with a question to the user.
 inline std::string sentence(const std::string& text) {
   const bool has_end = !text.empty() && std::string(".?!").find(text.back()) != std::string::npos;
   return has_end ? text : text + ".";

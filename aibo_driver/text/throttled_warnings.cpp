@@ -39,7 +39,7 @@ void ThrottledWarnings::say(const std::string& text) {
   }
 }
 
-// Texts quote what strangers send, so we remember only texts for which there may be a line.
+// Texts quote what strangers send, so we remember no more texts than may have been logged in kRepetitionPeriod.
 bool ThrottledWarnings::isNew(const std::string& kind, TimePoint now) {
   constexpr std::size_t kMostRemembered = kBurst + kRepetitionPeriod / kPeriod;
   const std::lock_guard<std::mutex> lock(mutex_);

@@ -9,17 +9,17 @@ using aibo_client::WalkVelocity;
 
 namespace {
 
-// The robot stops at the place when it is so close, and goes there again when it is as far away as this.
+// How close to the place the robot stops, and how far away it has to be to go there again.
 constexpr double kStopAt = 0.02;         // m
 constexpr double kGoAgainAt = 0.04;      // m
 constexpr double kStopTurningAt = 0.03;  // rad
 
-// From here on, it does not turn towards the place any more. A guarded robot walks as far over ground that no sensor
-// looks at.
+// This near, the robot does not turn towards the place any more. A guarded robot walks this far over ground that no
+// sensor looks at.
 constexpr double kAnyDirection = 0.04;  // m
 constexpr double kSlowly = 0.03;        // m/s
 
-// It walks ahead if the place is in about this direction.
+// How far the robot's direction may be from that of the place when it walks ahead.
 constexpr double kAhead = 0.5;  // rad
 
 constexpr double kFastest = 0.2;       // m/s; the limits of the robot and of the driver are lower

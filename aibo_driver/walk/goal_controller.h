@@ -20,26 +20,26 @@ PlanePose inFrameOf(const PlanePose& origin, const PlanePose& pose);
 /// Steers a robot to a pose: it turns towards the place, walks there, and turns. It walks the last centimetres in any
 /// direction, and stops within 5 cm and 0.1 rad of its goal. All numbers are our choice.
 ///
-/// Only one thread at a time may use it.
+/// Only one thread at a time may use an object of this class.
 class GoalController {
  public:
   /// @param goal in the frame odom
   explicit GoalController(const PlanePose& goal) : goal_(goal) {}
 
-  /// How the robot should walk on.
-  /// @param here its pose in the frame odom
-  /// @return 0 if it should stop, because it is as close to the goal as it gets
+  /// The velocity with which the robot should walk on.
+  /// @param here the robot's pose in the frame odom
+  /// @return 0 if the robot should stop, because it is as close to the goal as it gets
   aibo_client::WalkVelocity velocityAt(const PlanePose& here);
 
   /// The distance from the goal's place, in m.
   double distanceFrom(const PlanePose& here) const;
 
-  /// The turn that is left to the goal's direction, in rad, -pi..pi.
+  /// The angle by which the robot still has to turn to the goal's direction, in rad, -pi..pi.
   double turnFrom(const PlanePose& here) const;
 
  private:
   PlanePose goal_;
-  bool is_there_ = false;  ///< the place is reached; only the turn is left
+  bool is_there_ = false;  ///< true: the place is reached, and only the turn is left
 };
 
 }  // namespace aibo_driver::walk

@@ -25,7 +25,7 @@ class Odometry {
 
   /// Call this when the robot has walked on.
   /// @param velocity the average velocity
-  /// @param time how long it walked, in s
+  /// @param time how long the robot walked, in s
   void walk(const aibo_client::WalkVelocity& velocity, double time);
 
   /// Call this when the robot may have been moved to an unknown place.

@@ -10,12 +10,12 @@ using Eigen::AngleAxisd;
 using Eigen::Translation3d;
 using Eigen::Vector3d;
 
-// A foot that is at most this far above the floor touches it. This allows for the travel of the foot's switch, and for
-// some error of the joints.
+// A foot that is at most this far above the floor touches it. The distance allows for the travel of the foot's switch,
+// and for some error of the joints.
 constexpr double kTouch = 0.003;  // m
 
-// How far the accelerometer may be off. The value is our choice. Its errors and slight motion are less than this. A
-// robot that somebody lifts tilts more.
+// How far the accelerometer may be off. The value is our choice. The accelerometer's errors and slight motion stay
+// below it, and a robot that somebody lifts tilts more.
 constexpr double kTrust = 0.26;  // rad: 15 degrees
 
 constexpr double kTolerance = 1e-6;  // m, for rounding errors

@@ -10,7 +10,7 @@ using aibo_client::PostureNow;
 
 namespace {
 
-constexpr double kFrame = 0.008;  // s, of OPEN-R
+constexpr double kFrame = 0.008;  // s, an OPEN-R frame
 
 // If measurements were lost on their way, the velocity is the average since the last measurement that arrived. In a gap
 // that is longer than this, the robot may even have stopped and begun again.

@@ -15,10 +15,10 @@ namespace aibo_driver::walk {
 
 /// Where a robot has walked to, computed from its telemetry.
 ///
-/// It begins at 0, never jumps, and is never reset. If the connection breaks or somebody carries the robot, the robot
-/// keeps its last position. Only the covariance then says that it may be elsewhere.
+/// The position begins at 0, never jumps, and is never reset. If the connection breaks or somebody carries the robot,
+/// the robot keeps its last position. Only the covariance says that the robot may be elsewhere.
 ///
-/// Only one thread at a time may use it.
+/// Only one thread at a time may use an object of this class.
 class WalkOdometry {
  public:
   /// @param settings must outlive the object
@@ -31,8 +31,8 @@ class WalkOdometry {
   /// the robot reports its posture, the posture counts instead.
   void motionEnded(const aibo_client::ActivityEnd& end);
 
-  /// Call this when the robot reports its posture. If it has fallen or is lifted, it may be anywhere, even if it
-  /// was only standing before.
+  /// Call this when the robot reports its posture. A robot that has fallen or is lifted may be anywhere, even if it was
+  /// only standing before.
   void update(const aibo_client::MotorsAndPosture& state);
 
   const Odometry& odometry() const { return odometry_; }

@@ -17,7 +17,7 @@ WalkVelocity turned(const WalkVelocity& velocity, double angle) {
           velocity.turn};
 }
 
-/// By how much the robot turns because it walks ahead.
+/// How far the robot turns because it walks ahead.
 double bend(const WalkVelocity& real, const WalkSettings& settings) {
   return settings.curve * std::max(real.forward, 0.0);
 }
