@@ -15,7 +15,7 @@
 
 namespace aibo_driver::node {
 
-/// An action, which is served until this is destroyed. The class hides actionlib's headers, which take long to compile.
+/// An action, which is served while this object lives. The class hides actionlib's headers, which take long to compile.
 class Action {
  public:
   Action() = default;
@@ -24,7 +24,7 @@ class Action {
   Action& operator=(const Action&) = delete;
 };
 
-// In all these functions, the callbacks of the handle's queue have to run one after the other. Everything else must
+// In all these functions, the callbacks of the handle's queue have to run one after the other. All other arguments must
 // outlive the action.
 
 /// Starts play_motion. Several motions of different joints may play at the same time. If a motion does not begin, its
@@ -46,7 +46,7 @@ std::unique_ptr<Action> startFollowTrajectory(const ros::NodeHandle& handle, con
 /// @param handle its queue also calls all other functions of `walks`
 std::unique_ptr<Action> startGoTo(const ros::NodeHandle& handle, GoalWalks& walks);
 
-/// Starts take_posture. A goal ends when the robot has taken the posture. When it is cancelled, the legs hold.
+/// Starts take_posture. A goal ends when the robot has taken the posture. After a cancel, the legs hold.
 std::unique_ptr<Action> startTakePosture(const ros::NodeHandle& handle, movement::Mover& mover);
 
 }  // namespace aibo_driver::node

@@ -23,8 +23,8 @@ namespace {
 // Calls of stop and of motors do not wait for each other.
 constexpr int kStopThreads = 2;
 
-// Callers of take_picture delay no posture, and get a refusal at once when too many wait. A new posture ends the one
-// before it, so it must not wait until that one has answered.
+// Calls of take_picture delay no posture, and are refused at once when too many wait. A call for a new posture must not
+// wait for the call before it, because it ends that one.
 constexpr int kPoolThreads = kMostPictureCalls + 4;
 
 // The time between two diagnostic messages, as REP 107 says, and between two messages of link_quality. One timer serves
@@ -33,8 +33,8 @@ constexpr double kReportPeriod = 1.0;  // s
 
 constexpr double kAtOnce = 0.01;  // s; a timer needs some time
 
-// A connection on which nothing is said takes a descriptor of this process, and without a free descriptor it accepts no
-// other. The usual limit is 1024, and a process may raise it.
+// Even a silent connection takes a descriptor of this process, and without a free descriptor the process accepts no
+// other connection. The usual limit is 1024, and a process may raise it.
 void raiseDescriptorLimit() {
   constexpr rlim_t kEnough = 65536;  // one address cannot make more connections
   rlimit limit = {};
@@ -65,8 +65,8 @@ void warnOfMissingModel(const std::string& design) {
 
 // actionlib publishes the state of each action, latched, at every change. Unless this parameter says otherwise, it also
 // repeats the state five times a second. Even once a second, the repetitions took half of an idle driver's wake-ups.
-// Some are needed: roscpp sends a message before it keeps it as the latched one, so a node that subscribes in between
-// does not get it.
+// Some repetitions are needed: roscpp sends a message before it keeps it as the latched one, so a node that subscribes
+// in between does not get it.
 void repeatStateOfActionsRarely(const ros::NodeHandle& handle) {
   constexpr const char* kParameter = "actionlib_status_frequency";
   constexpr double kEveryFiveSeconds = 0.2;
@@ -76,7 +76,7 @@ void repeatStateOfActionsRarely(const ros::NodeHandle& handle) {
   }
 }
 
-// The messages go to the logger ros.aibo_driver.client.
+// Logs a line of the client, to the logger ros.aibo_driver.client.
 void logForClient(LogLevel level, const std::string& message) {
   switch (level) {
     case LogLevel::kDebug:
@@ -94,7 +94,7 @@ void logForClient(LogLevel level, const std::string& message) {
   }
 }
 
-// Names of one handle, with callbacks on the queue of another.
+// A handle with one handle's names, and with callbacks on the other's queue.
 ros::NodeHandle onQueueOf(const ros::NodeHandle& queue, ros::NodeHandle names) {
   names.setCallbackQueue(queue.getCallbackQueue());
   return names;
@@ -250,7 +250,7 @@ aibo_client::Callbacks AiboDriver::makeCallbacks() {
   return callbacks;
 }
 
-// The robot holds by itself while there is no driver.
+// Refuses orders after a restart of the driver. Without a driver, the robot holds still by itself.
 void AiboDriver::stayStopped() {
   const std::optional<std::string>& node = stop_memory_.left();
   if (!node) {
@@ -261,11 +261,11 @@ void AiboDriver::stayStopped() {
   try {
     mover_.stop({*node, std::chrono::steady_clock::now()});
   } catch (const aibo_client::Exception&) {
-    // There is no connection yet. From now on, only rest moves the robot.
+    // There is no connection yet, so nothing has to hold. From now on, only rest moves the robot.
   }
 }
 
-// A thread that may wait for the robot's answer stops the robot.
+// Lets the robot get up, on a thread that may wait for the robot's answer.
 void AiboDriver::letItGetUp(const std::string& source) {
   constexpr bool kOneShot = true;
   constexpr bool kAutostart = false;
@@ -276,7 +276,7 @@ void AiboDriver::letItGetUp(const std::string& source) {
   get_up_timer_ =
       ros::NodeHandle(pool_.handle()).createSteadyTimer(ros::WallDuration(kAtOnce), stand, kOneShot, kAutostart);
   get_up_.emplace(source, [this] {
-    get_up_timer_.stop();  // a timer that has run out starts again only if it has been stopped
+    get_up_timer_.stop();  // a timer that has run out does not start again unless it was stopped
     get_up_timer_.start();
   });
 }
@@ -305,7 +305,7 @@ movement::Mover::Listener AiboDriver::makeListener() {
   return listener;
 }
 
-// Commands come often. It is normal that they replace and stop each other.
+// Logs the end of a movement, without a warning if it is normal: commands come often, and replace and stop each other.
 void AiboDriver::logEnd(const movement::EndedMovement& ended) {
   using Kind = movement::Movement::Kind;
   const bool is_command = ended.movement.kind == Kind::kCommand || ended.movement.kind == Kind::kLookAt;
@@ -354,7 +354,7 @@ void AiboDriver::report() {
 }
 
 void AiboDriver::publishTelemetry(const aibo_client::Telemetry& telemetry) {
-  // All telemetry shows the robot's clock, even if nobody listens.
+  // The stamper needs all telemetry to learn the robot's clock, even if nobody listens.
   telemetry_stamper_.stamp(telemetry);
   measured_joints_.update(telemetry);
   telemetry_.publish(telemetry);
@@ -367,7 +367,7 @@ void AiboDriver::publishTelemetry(const aibo_client::Telemetry& telemetry) {
 
 void AiboDriver::updateConnection(const aibo_client::ConnectionStatus& status) {
   if (status.state == aibo_client::ConnectionState::kConnected) {
-    // The mover must know this before others can know it and give orders.
+    // The mover must know of the connection before others can, because they then give orders.
     mover_.connected();
   }
   connection_.publish(status);
@@ -379,7 +379,7 @@ void AiboDriver::updateConnection(const aibo_client::ConnectionStatus& status) {
     return;
   }
   if (!status.robot.design.empty() && status.robot.design != parameters_.robot) {
-    // The status changes as often as the robot likes, so the warning is limited.
+    // The robot can change its status as often as it likes, so the warning is limited.
     design_warnings_.warn("The robot says that it is an " + status.robot.design + ", but the parameter robot is " +
                           parameters_.robot + ": commands are refused. Set the parameter, and start the driver again.");
   }

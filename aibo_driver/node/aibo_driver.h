@@ -68,7 +68,7 @@ class AiboDriver {
   /// @throw std::runtime_error another driver has this namespace; the message names its node
   AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& name);
 
-  /// Ends within a second.
+  /// Ends the driver within a second.
   ~AiboDriver();
 
   AiboDriver(const AiboDriver&) = delete;
@@ -81,7 +81,7 @@ class AiboDriver {
   /// Publishes link_quality and the diagnostics.
   void report();
 
-  /// The result is empty while the stream is off.
+  /// The robot is asked for every nth image. The result is empty while the stream is off.
   std::optional<int> askedEveryNthImage() const;
 
   void publishTelemetry(const aibo_client::Telemetry& telemetry);
@@ -95,13 +95,13 @@ class AiboDriver {
   movement::Mover::Listener makeListener();
   void logEnd(const movement::EndedMovement& ended);
 
-  /// Null if the robot's time is not to be used.
+  /// The robot's clock; null if the stamps should not use it.
   robot_time::RobotClock* usedRobotClock() { return parameters_.use_robot_time ? &robot_clock_ : nullptr; }
 
   // Each member uses only the members before it. ROS may call back as soon as a topic or service is advertised.
   ReceiptClock receipts_;
-  /// For settings, reports, and subscribers that come and go. It is not in the pool, because enough waiting callers
-  /// would delay it.
+  /// The thread for settings, reports, and subscribers that come and go. It is not in the pool, because callers that
+  /// wait there would delay it.
   CallbackThreads own_thread_;
   ros::NodeHandle handle_;
   const OnlyDriver only_driver_;
@@ -115,7 +115,7 @@ class AiboDriver {
   CallbackThreads sound_thread_;   ///< for what waits for espeak-ng, and until the robot plays
   CallbackThreads pool_;           ///< for take_picture and the services of postures, whose calls wait side by side
 
-  /// All that have threads.
+  /// All members that have threads.
   const std::array<CallbackThreads*, 7> threads_{&own_thread_,   &stop_threads_, &order_thread_, &motion_thread_,
                                                  &stick_thread_, &sound_thread_, &pool_};
 
@@ -135,11 +135,11 @@ class AiboDriver {
   ColorPublisher colors_;
   MicrophonePublisher microphone_;
   TelemetryPublishers telemetry_;
-  std::optional<FootprintPublisher> footprint_;  ///< only for an ERS-7, and only if it is wanted
+  std::optional<FootprintPublisher> footprint_;  ///< only for an ERS-7, and only if publish_footprint is set
   OdometryPublisher odometry_;
   LedStatePublisher led_states_;
   ros::SteadyTimer get_up_timer_;      ///< runs out on pool_ when the robot is to get up
-  std::optional<walk::GetUp> get_up_;  ///< only if it is wanted
+  std::optional<walk::GetUp> get_up_;  ///< only if the parameter get_up is set
 
   aibo_client::RcServerClient client_;
   sound::Player player_;  ///< plays nothing before the client runs

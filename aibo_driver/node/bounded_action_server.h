@@ -15,8 +15,8 @@ namespace aibo_driver::node {
 
 /// An action server that keeps few goals, even if other nodes send many. actionlib keeps each goal for 5 s after its
 /// end, begins these 5 s again whenever somebody cancels all goals, and never forgets a cancel that has no time and
-/// names a goal that never came. It publishes all that it keeps at each change. One cancel with a time in the future
-/// would end all later goals. What a goal asked for is not kept after its end.
+/// names a goal that never came. At each change, it publishes all that it keeps. A single cancel with a time in the
+/// future would end all later goals. This class drops the content of a goal after its end.
 template <typename Action>
 class BoundedActionServer : public actionlib::ActionServer<Action> {
  public:
@@ -24,22 +24,22 @@ class BoundedActionServer : public actionlib::ActionServer<Action> {
 
   /// How many goals that have ended are kept, together with cancels of goals that have not come yet.
   static constexpr std::size_t kMostEnded = 32;
-  /// A goal with a longer id (in bytes) is not kept at all after its end. actionlib makes the id of a node's name, a
-  /// number and a time.
+  /// A goal with a longer id (in bytes) is dropped at its end. actionlib makes the id from a node's name, a number and
+  /// a time.
   static constexpr std::size_t kLongestId = 1000;
 
-  /// Call start() afterwards.
+  /// Constructs the server; start() starts it.
   /// @param handle the callbacks of its queue run one after the other
-  /// @param name of the action
+  /// @param name the name of the action
   /// @param accept, cancel see actionlib::ActionServer
   template <typename Accept, typename Cancel>
   BoundedActionServer(const ros::NodeHandle& handle, const std::string& name, const Accept& accept,
                       const Cancel& cancel)
       : actionlib::ActionServer<Action>(handle, name, accept, cancel, false), actions_(handle, name) {}
 
-  // actionlib does not report a goal that was cancelled before it came, or a cancel of an unknown goal. So this listens
-  // to the same topics, and is called right after actionlib, which subscribed first. A shorter queue than actionlib's
-  // own would drop calls, and the last one could come before actionlib has read its last message.
+  // actionlib does not report a goal that was cancelled before it came, or a cancel of an unknown goal. So the server
+  // listens to the same topics, and is called right after actionlib, which subscribed first. A shorter queue than
+  // actionlib's own would drop messages, and this server could see the last message before actionlib does.
   void start() {
     constexpr std::uint32_t kQueueOfActionlib = 50;  // actionlib_server_sub_queue_size in action_server_imp.h
     actionlib::ActionServer<Action>::start();

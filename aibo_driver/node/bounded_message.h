@@ -10,14 +10,14 @@
 
 namespace aibo_driver::node {
 
-/// A message whose contents are not read if it is too long. Reading a million names takes processor time that is needed
-/// elsewhere, for example for stop.
+/// A message that is not read if it is too long. Reading a million names takes processor time that is needed elsewhere,
+/// for example for stop.
 template <typename Message, std::size_t most_bytes>
 struct BoundedMessage {
-  Message message;          ///< empty if it was too long
+  Message message;          ///< empty if the message was too long
   std::size_t skipped = 0;  ///< the length in bytes of a message that was too long; otherwise 0
 
-  /// Why the message is refused, in words that follow a colon; empty if the message is not too long.
+  /// Why the message is refused, in words to put after a colon; empty if it is not too long.
   std::string refusal() const {
     return skipped == 0 ? ""
                         : "it has " + std::to_string(skipped) + " bytes, and at most " + std::to_string(most_bytes) +

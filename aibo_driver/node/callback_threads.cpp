@@ -16,7 +16,7 @@ using std::chrono::steady_clock;
 
 thread_local std::optional<ReceiptClock::TimePoint> running_since;
 
-/// Wraps another callback and knows when it came.
+/// Wraps another callback, and remembers when it came.
 class Received : public ros::CallbackInterface {
  public:
   Received(ros::CallbackInterfacePtr callback, ReceiptClock::TimePoint time)
@@ -46,7 +46,7 @@ class Received : public ros::CallbackInterface {
 ReceiptClock::ReceiptClock()
     : listener_(ros::PollManager::instance()->addPollThreadListener([this] { alive(steady_clock::now()); })) {}
 
-// No sign of life comes after this call.
+// After this call, roscpp's thread reports no more signs of life.
 ReceiptClock::~ReceiptClock() {
   ros::PollManager::instance()->removePollThreadListener(listener_);
 }

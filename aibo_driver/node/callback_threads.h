@@ -24,10 +24,10 @@ class ReceiptClock {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  /// After a longer gap between two signs of life, the process stalled. It is five times what roscpp's thread sleeps
-  /// at most (ros::PollManager), because a busy computer lets it wait, too.
+  /// The greatest gap between two signs of life without a stall. It is five times what roscpp's thread sleeps at most
+  /// (ros::PollManager), because a busy computer lets that thread wait, too.
   static constexpr std::chrono::milliseconds kLongestGap{500};
-  /// After such a gap, everything that waited has been read within this time.
+  /// The time after a longer gap within which all that has waited is read.
   static constexpr std::chrono::milliseconds kCatchingUp{200};
 
   ReceiptClock();
@@ -35,12 +35,12 @@ class ReceiptClock {
   ReceiptClock(const ReceiptClock&) = delete;
   ReceiptClock& operator=(const ReceiptClock&) = delete;
 
-  /// A sign of life. After the first one, the next is expected within kLongestGap.
+  /// Notes a sign of life. After the first one, the next is expected within kLongestGap.
   /// @param now the time of the steady clock
   void alive(TimePoint now);
 
   /// The time when something that is read now came, or the earliest possible time if that is not known. Before the
-  /// first sign of life it is `now`.
+  /// first sign of life, the result is `now`.
   /// @param now the time of the steady clock
   TimePoint receipt(TimePoint now);
 
@@ -54,8 +54,8 @@ class ReceiptClock {
   boost::signals2::connection listener_;
 };
 
-/// The time when the message or call came whose callback runs on this thread. If no callback of a StampedQueue runs, it
-/// is the present time.
+/// The time at which the message or call came that this thread handles now. If the thread runs no callback of a
+/// StampedQueue, the result is the present time.
 ReceiptClock::TimePoint receivedAt();
 
 /// A callback queue that notes when each callback came. It logs exceptions that callbacks throw.
@@ -70,13 +70,13 @@ class StampedQueue : public ros::CallbackQueue {
 };
 
 /// A callback queue with threads of its own. Topics and services of its handle never wait for the callbacks of another
-/// queue. Each callback knows when it came: see receivedAt().
+/// queue. Each callback can ask when it came: see receivedAt().
 ///
 /// The threads sleep until a callback comes. The threads of ros::AsyncSpinner wake up ten times a second each, which
 /// took half of an idle driver's processor time.
 class CallbackThreads {
  public:
-  /// @param handle handle() gets its namespace
+  /// @param handle the handle whose namespace handle() gets
   /// @param clock must outlive the queue
   /// @param count the number of threads; with one thread, callbacks run one after the other
   explicit CallbackThreads(const ros::NodeHandle& handle, ReceiptClock& clock, int count = 1)
@@ -90,7 +90,7 @@ class CallbackThreads {
 
   const ros::NodeHandle& handle() const { return handle_; }
 
-  /// No callback runs before this call.
+  /// Starts the threads. No callback runs before this call.
   void start();
 
   /// Waits for the callbacks that are running. After it returns, no callback runs.

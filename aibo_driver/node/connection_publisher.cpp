@@ -17,7 +17,7 @@ using aibo_client::ConnectionStatus;
 
 namespace {
 
-// The robot may have chosen a part of the reason.
+// The longest reason. The robot may have chosen a part of it.
 constexpr std::size_t kLongestReason = 1000;  // bytes
 
 std::uint8_t stateConstant(ConnectionState state) {
@@ -86,7 +86,7 @@ void ConnectionPublisher::publish(const ConnectionStatus& status) {
   message.advice = status.advice;
   message.settings = settings_;
   if (last_ && *last_ == message) {
-    // The message does not contain what has changed. A robot could change it endlessly.
+    // What has changed is not in the message, so nothing is published. A robot could change it endlessly.
     return;
   }
   last_ = message;

@@ -21,8 +21,8 @@ std::string describeConnection(const aibo_client::ConnectionStatus& status, cons
 /// Publishes the latched topics `connection` and `streaming`.
 class ConnectionPublisher {
  public:
-  /// Publishes at once that there is no connection and no stream yet.
-  /// @param settings where the driver has its parameters
+  /// Publishes at once that there is neither a connection nor a stream yet.
+  /// @param settings the namespace of the driver's parameters
   ConnectionPublisher(const ros::NodeHandle& handle, const std::string& settings,
                       const aibo_client::ClientOptions& options);
 

@@ -23,7 +23,7 @@ namespace {
 using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
 
-// A stream that has just begun or has a short gap is not faulty.
+// How long the stream has to be slow before it is faulty. A stream that has just begun, or has a short gap, is not.
 constexpr double kSlowTime = 2.0;  // seconds
 
 // If pictures are older than this, it is hard to drive a robot by hand.
@@ -45,7 +45,7 @@ const char* yesOrNo(bool value) {
   return value ? "yes" : "no";
 }
 
-/// Adds counts since the start.
+/// Adds counts since the driver's start to a status.
 void addAll(std::initializer_list<std::pair<const char*, std::uint64_t>> counts, DiagnosticStatusWrapper& status) {
   for (const auto& [name, count] : counts) {
     status.add(name, count);
@@ -59,7 +59,7 @@ DriverDiagnostics::DriverDiagnostics(const ros::NodeHandle& handle, const ros::N
     : sources_(sources),
       topic_(ros::NodeHandle(handle).advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1)),
       // The parameter diagnostic_period would not change the period, and a driver with one that is too long for a
-      // ros::Duration would not start. So it is looked for where nobody sets it.
+      // ros::Duration would not start. So the updater looks for the parameter in a namespace where nobody sets it.
       updater_(
           std::make_unique<diagnostic_updater::Updater>(handle, ros::NodeHandle(private_handle, "diagnostics"), name)) {
   updater_->setHardwareID(robotAddress(sources_.parameters.client));
@@ -72,7 +72,7 @@ DriverDiagnostics::DriverDiagnostics(const ros::NodeHandle& handle, const ros::N
 
 DriverDiagnostics::~DriverDiagnostics() = default;
 
-// A listener who comes later gets what happened within the last second, not everything since the start.
+// A listener who comes later gets only what happened within the last second, not everything since the start.
 void DriverDiagnostics::publish(const camera::LinkMeter::Reading& stream, double asked_rate) {
   period_ = takePeriod(stream, asked_rate);
   if (topic_.getNumSubscribers() > 0) {
@@ -103,7 +103,7 @@ DriverDiagnostics::Period DriverDiagnostics::takePeriod(const camera::LinkMeter:
 void DriverDiagnostics::reportConnection(DiagnosticStatusWrapper& status) {
   const ConnectionStatus connection = sources_.client.status();
   const bool connected = connection.state == ConnectionState::kConnected;
-  // Until the first attempt has ended, nothing has gone wrong.
+  // Before the end of the first attempt to connect, nothing has gone wrong.
   const bool failed = !connected && !connection.reason.empty();
   const auto level = connected ? DiagnosticStatus::OK : failed ? DiagnosticStatus::ERROR : DiagnosticStatus::WARN;
   status.summary(level, describeConnection(connection, sources_.parameters.client));
@@ -147,7 +147,7 @@ void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
          status);
 }
 
-// The stream works even if pictures come by TCP instead, but the user has to know.
+// Reports a warning if pictures come by TCP instead of UDP: the stream works, but the user has to know.
 void DriverDiagnostics::reportTransport(DiagnosticStatusWrapper& status) const {
   const ConnectionStatus connection = sources_.client.status();
   if (connection.wanted_transport == aibo_client::PictureTransport::kUdp && !connection.transport_problem.empty()) {

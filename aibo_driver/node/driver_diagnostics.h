@@ -34,7 +34,7 @@ namespace aibo_driver::node {
 /// demands, is not a fault.
 class DriverDiagnostics {
  public:
-  /// The diagnostics report about these objects. All of them must outlive the diagnostics.
+  /// The objects that the diagnostics report about. All of them must outlive the diagnostics.
   struct Sources {
     const DriverParameters& parameters;
     const aibo_client::RcServerClient& client;

@@ -18,7 +18,7 @@ using XmlRpc::XmlRpcValue;
 
 constexpr int kFramesOfMeasurement = 4;  // frames of 8 ms; the robot measures every 32 ms
 
-/// Reads parameters one by one. It remembers their names and which values are refused.
+/// Reads parameters one by one, and remembers their names and which values are refused.
 class ParameterReader {
  public:
   ParameterReader(const XmlRpcValue& values, const std::string& name_prefix)
@@ -27,14 +27,14 @@ class ParameterReader {
   void read(const std::string& name, int minimum, int maximum, int* out) {
     const std::string allowed = "a whole number, " + std::to_string(minimum) + ".." + std::to_string(maximum);
     take(name, allowed, [=](const XmlRpcValue& value) {
-      const double number = numberIn(value);  // may be written as 85.0
+      const double number = numberIn(value);  // a number may be written as 85.0
       const bool is_allowed = number >= minimum && number <= maximum && number == std::floor(number);
       *out = is_allowed ? static_cast<int>(number) : *out;
       return is_allowed;
     });
   }
 
-  /// @param unit the unit in words, after "a number of"
+  /// @param unit the unit in words to put after "a number of"
   void read(const std::string& name, const std::string& unit, double minimum, double maximum, double* out) {
     std::ostringstream allowed;
     allowed << "a number of " << unit << ", " << minimum << ".." << maximum;
@@ -62,7 +62,7 @@ class ParameterReader {
     });
   }
 
-  /// @param acceptable returns whether a text is acceptable; `allowed` describes an acceptable text
+  /// @param acceptable returns whether a text is acceptable
   template <typename Predicate>
   void read(const std::string& name, const std::string& allowed, Predicate acceptable, std::string* out) {
     take(name, allowed, [=](XmlRpcValue value) {
@@ -78,7 +78,7 @@ class ParameterReader {
       return names;
     }
     for (auto& entry : values_) {
-      // A struct is a namespace below ours. It belongs to somebody else.
+      // A struct is a namespace below ours, and belongs to somebody else.
       if (known_.count(entry.first) == 0 && entry.second.getType() != XmlRpcValue::TypeStruct) {
         names.push_back(entry.first);
       }
@@ -94,7 +94,7 @@ class ParameterReader {
   }
 
  private:
-  /// @param accept sets the parameter, unless its value is not allowed; returns whether it is
+  /// @param accept sets the parameter and returns true, or returns false if the value is not allowed
   template <typename Accept>
   void take(const std::string& name, const std::string& allowed, const Accept& accept) {
     known_.insert(name);
@@ -106,7 +106,7 @@ class ParameterReader {
   XmlRpcValue values_;
   std::string name_prefix_;
   std::set<std::string> known_;
-  std::string refusals_;  ///< one sentence for each
+  std::string refusals_;  ///< one sentence for each refused value
 };
 
 bool isWord(const std::string& text) {

@@ -19,8 +19,8 @@ namespace aibo_driver::node {
 /// The driver's private parameters. They are read once at the start. Some of them can be changed later: see
 /// LiveSettings. docs/ros_interface.md describes each of them for users.
 struct DriverParameters {
-  /// The host, the port, jpeg_quality, time limits, waits before reconnecting, and what to do about joints that are
-  /// missing in motions.
+  /// The options of the client: host, port, jpeg_quality, time limits, waits before reconnecting, and whether motions
+  /// may lack joints.
   aibo_client::ClientOptions client;
   bool stream_on_start = true;             ///< whether the stream is wanted before set_streaming is called
   std::string resolution = "208x160";      ///< the resolution of the stream, for camera::resolutionOf()
@@ -50,14 +50,14 @@ struct DriverParameters {
   double approach_speed = movement::kUsualApproachSpeed;  ///< rad/s, 0.05..20; see JointCommandFilter
 
   walk::WalkSettings walk;
-  bool get_up = false;  ///< a robot that has fallen gets up by itself: see walk::GetUp
+  bool get_up = false;  ///< true: the robot gets up by itself after a fall (walk::GetUp)
 
   bool publish_footprint = true;  ///< publish tf from base_footprint to base_link; only for an ERS-7
   std::string frame_prefix;       ///< put before every frame; see frame()
 
   std::vector<std::string> unknown;  ///< parameters that the driver does not have; most likely they are misspelt
 
-  /// The full name of one of the robot's frames. model.launch gives the links of the model the same names.
+  /// The full name of one of the robot's frames. The links that model.launch makes have the same names.
   std::string frame(const std::string& name) const { return frame_prefix.empty() ? name : frame_prefix + "/" + name; }
 };
 

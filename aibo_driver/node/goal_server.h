@@ -48,22 +48,22 @@ struct GoalEnd {
   std::string text;
 };
 
-/// What a goal follows.
+/// What the robot does for a goal.
 template <typename Spec>
 struct Activity {
   using Publish = std::function<void(const FeedbackOf<Spec>&)>;
 
-  std::string text;                                  ///< says that it has begun
+  std::string text;                                  ///< a text that says that the robot has begun
   std::function<void(const movement::Order&)> stop;  ///< called when the goal is cancelled; may throw
-  /// Called again and again. It may publish feedback, and returns the goal's end when it has come.
+  /// Called again and again. It may publish feedback. It returns the goal's end as soon as there is one.
   std::function<std::optional<GoalEnd<Spec>>(const Publish&)> look;
 };
 
-/// How an action differs from others.
+/// What distinguishes an action from others.
 template <typename Spec>
 struct ActionKind {
   std::string name;
-  std::string logger;                     ///< for a cancelled goal that could not be stopped
+  std::string logger;                     ///< the logger for errors when a cancelled goal could not be stopped
   std::chrono::milliseconds period{100};  ///< the time between two looks at a goal
   /// Begins what a goal asks for. If this throws, the goal is rejected.
   std::function<Activity<Spec>(const GoalOf<Spec>&, const movement::Order&)> begin;
@@ -72,13 +72,13 @@ struct ActionKind {
 };
 
 /// Serves an action. Up to kMostGoals goals of up to kMostBytesOfGoal may go on at a time; others are rejected. A
-/// cancelled goal stops what it follows and goes on until that has ended. Then it ends as canceled, unless it has
-/// succeeded.
+/// cancelled goal tells the robot to stop, and goes on until the robot has stopped. Then it ends as canceled, unless it
+/// has succeeded.
 template <typename Spec>
 class GoalServer : public Action {
  public:
   static constexpr std::size_t kMostGoals = 32;
-  /// All joints, thirty points a second, for a hundred seconds.
+  /// Enough for a trajectory of all joints with thirty points a second, for a hundred seconds.
   static constexpr std::size_t kMostBytesOfGoal = 1 << 20;
 
   GoalServer(ros::NodeHandle handle, ActionKind<Spec> kind) : kind_(std::move(kind)) {
@@ -175,7 +175,7 @@ class GoalServer : public Action {
   ros::SteadyTimer timer_;
 };
 
-/// @name For actions whose result has success, end and message, and whose feedback has a time
+/// @name Functions for actions whose result has success, end and message, and whose feedback has a time
 /// @{
 
 /// @param message a sentence for the user
@@ -194,8 +194,8 @@ GoalEnd<Spec> goalEnd(aibo_client::EndedHow how, const std::string& message) {
   return end;
 }
 
-/// A function that makes the result of a rejected goal.
-/// @param failure says what was not done, such as "Nothing was played"
+/// Returns a function that makes the result of a rejected goal.
+/// @param failure the beginning of the message, such as "Nothing was played"
 template <typename Spec>
 auto refuseWith(const std::string& failure) {
   return [failure](const std::exception& error) {
@@ -204,8 +204,8 @@ auto refuseWith(const std::string& failure) {
   };
 }
 
-/// A function that waits for an end and publishes the time since now.
-/// @param end returns an empty value before the end
+/// Returns a function that looks for an end, and publishes as feedback the time since now.
+/// @param end returns the end; no value before it has come
 template <typename Spec>
 auto lookFor(const std::function<std::optional<GoalEnd<Spec>>()>& end) {
   return [end, begin = std::chrono::steady_clock::now()](const typename Activity<Spec>::Publish& publish) {
@@ -220,7 +220,7 @@ auto lookFor(const std::function<std::optional<GoalEnd<Spec>>()>& end) {
 }
 
 /// The end of a movement. If a server does not report the ends of motions, a goal succeeds as soon as its motion plays.
-/// @param done says that the robot has done it, without a full stop
+/// @param done a text without a full stop that says that the robot has done it
 template <typename Spec>
 GoalEnd<Spec> goalEnd(const movement::EndedMovement& ended, const std::string& done) {
   using aibo_client::EndedHow;
@@ -241,8 +241,8 @@ inline void throwIfRefused(const movement::Mover::Answer& begun) {
   }
 }
 
-/// A function that waits for the end of a movement.
-/// @param done says that the robot has done it, without a full stop
+/// Returns a function that looks for the end of a movement.
+/// @param done a text without a full stop that says that the robot has done it
 /// @throw CommandException the movement was refused
 template <typename Spec>
 auto lookFor(const movement::Mover::Answer& begun, const std::string& done) {

@@ -35,7 +35,7 @@ void (*print_to_terminal)(void*, ros::console::Level, const char*, const char*, 
 std::mutex rosout_mutex;
 ros::ROSOutAppender* rosout_appender = nullptr;  // guarded by rosout_mutex
 
-/// Publishes on /rosout what is logged, as roscpp would, but plainly.
+/// Publishes all log lines on /rosout, as roscpp would, but as plain text.
 class Rosout {
  public:
   Rosout() { exchange(&appender_); }
@@ -52,11 +52,11 @@ class Rosout {
   ros::ROSOutAppender appender_;
 };
 
-/// Replaces rosconsole's output to the terminal. All that this process logs comes here, also what roscpp logs about
+/// Replaces rosconsole's output to the terminal. All lines of this process come here, also those that roscpp logs about
 /// strangers.
 void logPlainly(void* event, ros::console::Level level, const char* text, const char* file, const char* function,
                 int line) {
-  static auto* const lines = new text::LogLines;  // until the last line
+  static auto* const lines = new text::LogLines;  // never deleted: lines may come until the very end
   if (const std::optional<std::string> plain = lines->admit(file == nullptr ? "" : file, line, text)) {
     print_to_terminal(event, level, plain->c_str(), file, function, line);
     const std::lock_guard<std::mutex> lock(rosout_mutex);
@@ -66,7 +66,7 @@ void logPlainly(void* event, ros::console::Level level, const char* text, const 
   }
 }
 
-// In seconds. A master that answers needs less than 1 s. roslaunch kills a node after 15 s.
+// In seconds. A master that answers needs less than 1 s, and roslaunch kills a node after 15 s.
 constexpr unsigned kTimeToUnregister = 10;
 
 // How late the kernel may wake roscpp's threads when they only look whether there is something to do. Three of them
@@ -83,13 +83,13 @@ ros::NodeHandle startWithSlack() {
   return handle;
 }
 
-// This function does only what a signal handler may do.
+// Calls only functions that a signal handler may call.
 void endAtOnce(int) {
   constexpr char kReason[] =
       "This node has not ended within 10 s, most likely because the ROS master does not answer. It ends now, without "
       "unregistering.\n";
   if (::write(STDERR_FILENO, kReason, sizeof(kReason) - 1) < 0) {
-    // Nobody can read the text, so the failure is ignored.
+    // A failure is ignored, because then nobody can read the text.
   }
   ::_exit(EXIT_FAILURE);
 }
@@ -111,7 +111,7 @@ void endOnSignal() {
   ::sigaction(SIGTERM, &action, nullptr);
 }
 
-/// True if other nodes on this computer, at least, can connect to this name or address.
+/// True if at least other nodes on this computer can connect to this name or address.
 bool isOfThisComputer(const std::string& host) {
   addrinfo* addresses = nullptr;
   if (::getaddrinfo(host.c_str(), nullptr, nullptr, &addresses) != 0) {
@@ -127,7 +127,7 @@ bool isOfThisComputer(const std::string& host) {
   return is_own;
 }
 
-// Other nodes would see the topics of this one and never get a message, and nothing would say why.
+// With a wrong address, other nodes see the topics of this node but never get a message, and nothing says why.
 void warnOfWrongAddress() {
   if (const std::string& host = ros::network::getHost(); !isOfThisComputer(host)) {
     ROS_WARN_STREAM("Other nodes are told to connect to "
@@ -141,7 +141,7 @@ void warnOfWrongAddress() {
 }  // namespace
 
 ros::NodeHandle inDriverNamespace(const ros::NodeHandle& handle, const std::string& default_namespace) {
-  const std::string& name_space = handle.getNamespace();  // empty for a nodelet in the root namespace
+  const std::string& name_space = handle.getNamespace();  // an empty name is that of a nodelet in the root namespace
   if (!name_space.empty() && name_space != "/") {
     return handle;
   }
@@ -195,7 +195,7 @@ int runNode(const std::string& name, const std::function<std::shared_ptr<void>()
   warnOfWrongAddress();
   try {
     std::shared_ptr<void> node = make();
-    while (!ros::isShuttingDown()) {  // unlike ros::spin(), this sleeps until there is something to do
+    while (!ros::isShuttingDown()) {  // unlike ros::spin(), callAvailable() sleeps until there is something to do
       ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(3600));
     }
     node.reset();  // ends calls to the robot: roscpp 1.15 waits below for services that wait for such a call

@@ -18,22 +18,22 @@ namespace aibo_driver::node {
 /// @param default_namespace used instead of the root namespace, such as "aibo"
 ros::NodeHandle inDriverNamespace(const ros::NodeHandle& handle, const std::string& default_namespace);
 
-/// A parameter that is a number.
+/// Reads a parameter that is a number.
 /// @param number the value if the parameter is not set
 /// @param highest, lowest the range of values that are allowed
 /// @throw std::runtime_error the parameter is not a number, or is out of this range; the message names it and the range
 double readNumber(const ros::NodeHandle& parameters, const std::string& name, double number, double highest,
                   double lowest = 0);
 
-/// A parameter that is true or false, and false if it is not set.
+/// Reads a parameter that is true or false. It is false if it is not set.
 /// @throw std::runtime_error the parameter is something else, such as 1 or a text; the message names it
 bool readFlag(const ros::NodeHandle& parameters, const std::string& name);
 
 /// Calls ros::init(). From then on, each line that this process logs, also by roscpp itself, is plain, and a flood of
 /// lines is limited (text/log_lines.h), in the terminal as in /rosout. Only nodes of runNode() have /rosout.
 ///
-/// If roscpp cannot make a name of an argument, such as host:=192.168.1.20 without the underscore of a parameter, this
-/// says so and ends the process with EXIT_FAILURE. roscpp itself would abort it.
+/// If roscpp cannot make a name of an argument, such as host:=192.168.1.20 without the underscore of a parameter,
+/// init() says so and ends the process with EXIT_FAILURE. roscpp itself would abort the process.
 /// @param options ros::InitOption
 void init(int& argc, char** argv, const std::string& name, std::uint32_t options = 0);
 
@@ -44,7 +44,7 @@ void init(int& argc, char** argv, const std::string& name, std::uint32_t options
 /// on stderr and ends at once with EXIT_FAILURE. A second signal always ends it at once.
 ///
 /// Call this once, from main(), after init(). It takes over the signal SIGALRM.
-/// @param name the name for the log; it completes "The ... cannot start."
+/// @param name the name for the log, to put into "The ... cannot start."
 /// @param make makes the objects of the node, which live until the node ends
 /// @return the exit status; EXIT_FAILURE if `make` throws
 int runNode(const std::string& name, const std::function<std::shared_ptr<void>()>& make);

@@ -9,7 +9,7 @@
 
 namespace aibo_driver::node {
 
-/// The driver in a nodelet manager, where messages reach other nodelets without being copied.
+/// The driver in a nodelet manager, whose nodelets exchange messages without copying them.
 class AiboDriverNodelet : public nodelet::Nodelet {
  private:
   void onInit() override {

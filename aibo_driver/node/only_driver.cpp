@@ -21,7 +21,7 @@ using XmlRpc::XmlRpcValue;
                            " For a second robot, start this one in another namespace.");
 }
 
-// To the master, another nodelet of the same manager is the same node.
+// The master cannot tell two nodelets of the same manager apart, so this process is checked first.
 void refuseASecondOneInThisProcess(const ros::NodeHandle& handle) {
   ros::V_string topics;
   ros::this_node::getAdvertisedTopics(topics);
@@ -66,7 +66,7 @@ std::vector<std::string> publishersBefore(const std::string& node, const std::st
 
 OnlyDriver::OnlyDriver(const ros::NodeHandle& handle) {
   refuseASecondOneInThisProcess(handle);
-  // The driver's own publisher is latched, too. Programs that record topics adopt what the first publisher says.
+  // The claim is latched, as the driver's own publisher is, because programs that record topics believe the first one.
   constexpr bool kLatched = true;
   claim_ = ros::NodeHandle(handle).advertise<Connection>("connection", 1, kLatched);
   const XmlRpcPeer master = XmlRpcPeer::master();
@@ -80,9 +80,9 @@ OnlyDriver::OnlyDriver(const ros::NodeHandle& handle) {
       }
     }
   } catch (const NoAnswer&) {
-    // Without the master this is unknown, but without it no node can find this driver either.
+    // Without the master the answer is unknown, but without it no node can find this driver either.
   } catch (const XmlRpc::XmlRpcException&) {
-    // What answers there is no master.
+    // The program that answers at the master's address is no master.
   }
 }
 

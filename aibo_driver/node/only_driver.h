@@ -11,16 +11,16 @@
 
 namespace aibo_driver::node {
 
-/// The nodes that publish a topic and registered before a node, in the order in which they registered.
+/// The nodes that registered as publishers of a topic before a node, in the order in which they registered.
 /// @param system_state the master's answer to getSystemState
 std::vector<std::string> publishersBefore(const std::string& node, const std::string& topic,
                                           XmlRpc::XmlRpcValue system_state);
 
 /// Ensures that a namespace has only one driver. A second driver would double every topic and take over the services.
-/// When it ended, it would take the services with it.
+/// When the second driver ended, the services would end with it.
 ///
-/// It registers as a publisher of `connection` before the driver does anything else. The master lists the publishers in
-/// the order in which they came. So if two drivers start at the same time, one finds the other.
+/// This class registers as a publisher of `connection` before the driver does anything else. The master lists the
+/// publishers in the order in which they came. So if two drivers start at the same time, one finds the other.
 class OnlyDriver {
  public:
   /// Asks the ROS master and the nodes that were there before, for up to 2 s each. A node that was killed does not
@@ -30,7 +30,7 @@ class OnlyDriver {
   explicit OnlyDriver(const ros::NodeHandle& handle);
 
  private:
-  ros::Publisher claim_;  ///< nothing is ever published to it
+  ros::Publisher claim_;  ///< registers the driver; nothing is ever published with it
 };
 
 }  // namespace aibo_driver::node

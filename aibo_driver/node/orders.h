@@ -14,13 +14,13 @@
 
 namespace aibo_driver::node {
 
-/// The order behind a message. Call this in the message's callback.
+/// The order that a message gives. Call this in the message's callback.
 template <typename Message>
 movement::Order orderOf(const ros::MessageEvent<Message const>& event) {
   return {text::plainLine(event.getPublisherName()), receivedAt()};  // a stranger may choose the name
 }
 
-/// The order behind a goal of an action, or behind its cancelling. Call this in the callback.
+/// The order that a goal of an action, or its cancelling, gives. Call this in the callback.
 /// @param goal_id an id as actionlib's clients make it: the node, a number and a time, with hyphens between them
 inline movement::Order orderOfGoal(const std::string& goal_id) {
   const std::size_t time = goal_id.rfind('-');

@@ -13,8 +13,8 @@ namespace aibo_driver::node {
 double numberIn(XmlRpc::XmlRpcValue value);
 
 /// A sentence for the user about a parameter that is refused.
-/// @param name with its namespace
-/// @param allowed completes "it must be"
+/// @param name the name with its namespace
+/// @param allowed the words to put after "it must be"
 std::string describeRefusal(const std::string& name, XmlRpc::XmlRpcValue value, const std::string& allowed);
 
 /// What a user can do about a parameter that is refused, as a sentence.

@@ -7,7 +7,7 @@
 namespace aibo_driver::node {
 namespace {
 
-// Reading two clocks takes less time than this, unless the thread is interrupted in between.
+// Two clocks can be read in less time than this, unless the thread is interrupted in between.
 constexpr std::chrono::microseconds kReadingTime{20};
 constexpr int kReadings = 5;
 
@@ -39,7 +39,7 @@ RobotStamper::Moment RobotStamper::find(std::uint64_t connection_number, std::op
   }
   Moment moment;
   if (robot_clock_ != nullptr && frame_number) {
-    // If a robot's frame numbers run too fast, they must not move the stamps into the future.
+    // A frame number that runs too fast must not move the stamp into the future.
     moment.taken = std::min(robot_clock_->timeOf(connection_number, *frame_number, arrival), arrival);
   }
   moment.stamp = toRosTime(moment.taken.value_or(arrival));

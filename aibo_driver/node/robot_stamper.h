@@ -28,21 +28,21 @@ namespace aibo_driver::node {
 ///
 /// The time is computed on the steady clock. It is converted to ROS' clock when the stamp is first asked for. So when
 /// ROS' clock is set, the stamps follow at once. With a simulated clock, they are as fine as its steps. The stamps of
-/// different messages strictly increase, unless ROS' clock is set back by more than kClockStep. Then they follow the
-/// clock, because otherwise they would stand still until it has caught up. Any thread may call any function.
+/// different messages strictly increase, unless ROS' clock is set back by more than kClockStep. In that case they
+/// follow the clock, because they would otherwise stand still until it has caught up. Any thread may call any function.
 class RobotStamper {
  public:
   using SteadyTime = std::chrono::steady_clock::time_point;
 
-  /// When the robot took a picture.
+  /// The time at which the robot took a picture.
   struct Moment {
     ros::Time stamp;
-    /// The same on the steady clock, without `time_offset`. It is off by the shortest delay of a message (RobotClock).
-    /// It is empty if the picture has no frame number or the robot has no clock.
+    /// The same time on the steady clock, without `time_offset`. It is late by the shortest delay of a message
+    /// (RobotClock). It has no value if the picture has no frame number, or if the robot's clock is not used.
     std::optional<SteadyTime> taken;
   };
 
-  /// A smaller step is jitter between the two clocks. A bigger step means that somebody has set ROS' clock.
+  /// The smallest step of ROS' clock that counts as setting it. Smaller steps are jitter between the two clocks.
   static constexpr std::chrono::nanoseconds kClockStep = std::chrono::seconds(1);
 
   /// @param robot_clock must outlive the stamper; if it is null, the stamp of each message is its time of arrival
@@ -56,7 +56,7 @@ class RobotStamper {
   /// before the epoch, even if a simulated clock has not begun to run.
   ros::Time stamp(const aibo_client::Picture& picture) { return momentOf(picture).stamp; }
 
-  /// When the robot took the picture. Its stamp is that of stamp().
+  /// When the robot took the picture; Moment::stamp is that of stamp().
   Moment momentOf(const aibo_client::Picture& picture) {
     return find(picture.connection_number, picture.frame_number, picture.first_byte_time);
   }
@@ -85,7 +85,7 @@ class RobotStamper {
     Moment moment;
   };
 
-  /// Computes the stamp if it is not among the latest ones.
+  /// Finds the stamp among the latest ones, or computes it.
   Moment find(std::uint64_t connection_number, std::optional<std::uint32_t> frame_number, SteadyTime arrival);
   ros::Time toRosTime(SteadyTime time) const;
 

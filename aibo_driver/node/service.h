@@ -19,15 +19,15 @@ template <typename Service>
 struct ServiceCall {
   const typename Service::Request& request;
   typename Service::Response& response;
-  movement::Order order;  ///< who calls, and when the call came
-  std::string failure;    ///< says what was not done; the message begins with it if the call cannot be carried out
+  movement::Order order;  ///< the order, with the node that calls and the time when the call came
+  std::string failure;    ///< says what was not done; the message begins with it if the call fails
 };
 
-/// A service whose calls always get an answer. The message quotes callers and the robot, so it is plain text
-/// (text::plainText()) of at most 4000 bytes.
-/// @param failure the ServiceCall::failure of each call
+/// Makes a service whose calls always get an answer. The answer's message quotes callers and the robot, so it is plain
+/// text (text::plainText()) of at most 4000 bytes.
+/// @param failure see ServiceCall::failure
 /// @param work called with a `ServiceCall<Service>&`. It carries out the call and returns a message that says so. If it
-///   throws, success is false, and the message says why. It may also set success to false itself
+///   throws, success is false, and the message says why. `work` may also set success to false itself
 template <typename Service, typename Work>
 ros::AdvertiseServiceOptions service(const std::string& name, const std::string& failure, const Work& work) {
   using Event = ros::ServiceEvent<typename Service::Request, typename Service::Response>;

@@ -1,8 +1,8 @@
 /// @file services.h
 /// The driver's services, in groups that share a callback queue. service.h has what they share.
 ///
-/// If something cannot be done, success is false and message says why. A call itself never fails. All arguments must
-/// outlive the services.
+/// If a call cannot be carried out, success is false and message says why. The call itself never fails. All arguments
+/// must outlive the services.
 #ifndef AIBO_DRIVER_NODE_SERVICES_H
 #define AIBO_DRIVER_NODE_SERVICES_H
 
@@ -24,35 +24,35 @@ namespace aibo_driver::node {
 /// Services that have not been advertised yet.
 using Services = std::vector<ros::AdvertiseServiceOptions>;
 
-/// stop, release and motors. They must wait for no other service.
+/// stop, release and motors. Their calls must not wait for another service.
 Services stopServices(movement::Mover& mover);
 
 /// The name of a motion's file. The name of the motion is enough: see files::motionFileName().
 /// @throw InvalidArgumentException no name is given
 std::string motionNamed(const std::string& name);
 
-/// play_motion and stop_motion. A call waits until the robot has begun or stopped.
+/// play_motion and stop_motion. Each call waits until the robot has begun or stopped.
 Services motionServices(movement::Mover& mover);
 
 /// stand, sit and rest. Each call waits until the robot has taken the posture, at most 30 s. A newer posture ends an
-/// older one, so several threads should serve them.
+/// older one, so several threads should serve these services.
 Services postureServices(movement::Mover& mover);
 
 /// list_motions, upload_motion, delete_motion, shut_down and reboot. They wait for the robot's memory stick or its
 /// power supply, at most 15 s.
-/// @param mover says whether the robot may be switched off, which lets a standing robot fall
+/// @param mover is asked whether the robot may be switched off, which lets a standing robot fall
 Services robotServices(aibo_client::RcServerClient& client, const movement::Mover& mover);
 
 /// take_picture_on_robot, list_pictures, fetch_picture and delete_picture: pictures on the robot's memory stick. The
 /// name of a picture is enough: see files::pictureFileName(). Each call waits at most 15 s.
-/// @param default_quality as for takePictureServices()
+/// @param default_quality see takePictureServices()
 Services stickPictureServices(const DriverParameters& parameters, aibo_client::RcServerClient& client,
                               const std::function<int()>& default_quality);
 
 /// How many calls of take_picture wait for the robot at a time.
 constexpr int kMostPictureCalls = 4;
 
-/// take_picture, which waits for the robot. While kMostPictureCalls wait, another call is refused at once.
+/// take_picture, which waits for the robot. While kMostPictureCalls wait, further calls are refused at once.
 /// @param default_quality returns the quality of a picture if the caller gives none, 1..100; any thread may call it
 /// @param to_message makes the message in the answer; any thread may call it
 Services takePictureServices(
@@ -64,7 +64,7 @@ Services takePictureServices(
 Services streamServices(const DriverParameters& parameters, const aibo_client::RcServerClient& client,
                         StreamPolicy& policy);
 
-/// play_sound, say and set_volume. They wait for espeak-ng and for the robot.
+/// play_sound, say and set_volume. Their calls wait for espeak-ng and for the robot.
 Services soundServices(aibo_client::RcServerClient& client, sound::Player& player);
 
 }  // namespace aibo_driver::node

@@ -16,7 +16,7 @@ namespace {
 
 using Lock = std::unique_lock<std::mutex>;
 
-// How often the connection is looked after.
+// How often the thread checks the connection.
 constexpr std::chrono::seconds kLookAfter{1};
 
 template <typename Message>
@@ -29,7 +29,7 @@ bool read(const ros::SerializedMessage& answer, StopClient::Response* response) 
     ros::serialization::deserializeMessage(answer, *response);
     return true;
   } catch (const ros::Exception&) {
-    return false;  // it was no driver
+    return false;  // the peer was no driver
   }
 }
 
@@ -40,8 +40,8 @@ StopClient::StopClient(const ros::NodeHandle& handle)
       velocity_(advertise<geometry_msgs::Twist>(handle, "cmd_vel")),
       trajectory_(advertise<trajectory_msgs::JointTrajectory>(handle, "joint_trajectory")),
       keeper_(&StopClient::keepConnection, this) {
-  // roscpp asks the master for this before it logs its first line, and all other lines wait for that. The answer to a
-  // stop is such a line.
+  // roscpp asks the master for this parameter before it logs its first line, and all other lines wait for the answer.
+  // The line about a stop must not wait, so the parameter is read now.
   bool ignored = false;
   ros::param::getCached("/rosout_disable_topics_generation", ignored);
 }
@@ -59,14 +59,14 @@ StopClient::~StopClient() {
   end_.set_value();
   changed_.notify_all();
   keeper_.join();
-  calls_.clear();  // waits for them
+  calls_.clear();  // waits until the calls have ended
 }
 
 bool StopClient::isOpen(const Connection& connection) {
   return connection && !connection->getConnection()->isDropped();
 }
 
-/// @return a connection that ends with the last pointer to it; null if nobody serves the service
+/// @return a connection, which ends with the last pointer to it; null if nobody serves the service
 StopClient::Connection StopClient::connect(const std::string& service) {
   constexpr bool kPersistent = true;
   const ros::ServiceManagerPtr& manager = ros::ServiceManager::instance();
@@ -113,7 +113,7 @@ void StopClient::stop(const std::function<void(const Response*)>& done) {
 void StopClient::run(Call* call) {
   Response response;
   bool answered = false;
-  // The driver may have been started again since the first connection was made.
+  // The first connection may be to a driver that has been restarted since, so there is a second attempt.
   for (int attempt = 0; attempt < 2 && !answered && waitForConnection(call); ++attempt) {
     ros::SerializedMessage answer;
     answered = call->connection->call(ros::serialization::serializeMessage(std_srvs::Trigger::Request()), answer) &&
@@ -131,7 +131,7 @@ void StopClient::run(Call* call) {
 /// @return false if an attempt to connect has failed that began after this call, or if calls have to end
 bool StopClient::waitForConnection(Call* call) {
   Lock lock(mutex_);
-  const std::uint64_t enough = attempts_ + 2;  // the present attempt may have begun before
+  const std::uint64_t enough = attempts_ + 2;  // the attempt that is running may have begun before this call
   while (!is_ending_ && !isOpen(connection_) && attempts_ < enough) {
     is_wanted_ = true;
     changed_.notify_all();

@@ -22,23 +22,23 @@ namespace aibo_driver::node {
 /// Stops a robot. All programs that offer a stop use it.
 ///
 /// The connection to the driver's service `stop` is open before it is needed. So a stop needs no ROS master, and no
-/// descriptor that the driver may not have. Beside the call, each stop sends a velocity of 0 and a trajectory without
-/// points to the driver.
+/// descriptor that the driver might lack. In addition to the call, each stop sends a velocity of 0 and a trajectory
+/// without points to the driver.
 class StopClient {
  public:
   using Response = std_srvs::Trigger::Response;
 
-  /// Begins to connect, in a thread of its own, and connects again whenever it is necessary.
+  /// Begins to connect in a thread of its own, which connects again whenever this is necessary.
   /// @param handle a handle in the driver's namespace
   explicit StopClient(const ros::NodeHandle& handle);
 
-  /// Ends the calls that are still running. None of their functions is called from then on.
+  /// Ends the calls that are still running. None of their functions `done` is called from then on.
   ~StopClient();
 
   StopClient(const StopClient&) = delete;
   StopClient& operator=(const StopClient&) = delete;
 
-  /// Stops the robot. It waits for nothing, not even for earlier calls. Any thread may call it.
+  /// Stops the robot without waiting for anything, not even for earlier calls. Any thread may call it.
   /// @param done called on the call's thread with the answer, or with null if nobody answers
   void stop(const std::function<void(const Response*)>& done);
 
@@ -46,8 +46,8 @@ class StopClient {
   const std::string& service() const { return service_; }
 
  private:
-  // Not a ros::ServiceClient: it counts as valid for ever if its connection was refused at once, as it is while the
-  // master still knows a driver that was killed.
+  // The class ros::ServiceClient is of no use here. It counts as valid for ever if its connection was refused at once,
+  // as happens while the master still knows a driver that was killed.
   using Connection = std::shared_ptr<ros::ServiceServerLink>;
 
   struct Call {
@@ -74,7 +74,7 @@ class StopClient {
   bool is_ending_ = false;
   bool is_wanted_ = false;      ///< a call waits for a connection
   std::uint64_t attempts_ = 0;  ///< how many attempts to connect have ended
-  Connection connection_;       ///< null before the first one
+  Connection connection_;       ///< null before the first connection
   std::list<Call> calls_;
   std::thread keeper_;  // last, because it uses all members above
 };

@@ -16,7 +16,7 @@ using Lock = std::unique_lock<std::mutex>;
 
 constexpr std::chrono::seconds kWriteAgain{2};
 
-// Anybody can write parameters.
+// Checks what it reads, because anybody can write parameters.
 std::optional<std::string> readStoppedBy(const std::string& parameter) {
   XmlRpc::XmlRpcValue value;
   if (!ros::param::get(parameter, value)) {

@@ -13,16 +13,16 @@
 
 namespace aibo_driver::node {
 
-/// Remembers who has stopped the robot, even if the driver crashes. It is a parameter, `stopped_by` in the driver's
-/// namespace, which is there while the robot is stopped. A thread of its own writes it, so that a stop never waits for
-/// the ROS master, and writes it again every few seconds for a master that was restarted.
+/// Remembers who has stopped the robot, even if the driver crashes. The memory is the parameter `stopped_by` in the
+/// driver's namespace, which exists while the robot is stopped. A thread of its own writes it, so that a stop never
+/// waits for the ROS master, and writes it again every few seconds for a master that was restarted.
 class StopMemory {
  public:
   /// Reads the parameter.
   /// @param handle a handle in the driver's namespace
   explicit StopMemory(const ros::NodeHandle& handle);
 
-  /// The parameter stays.
+  /// Ends the thread. The parameter stays.
   ~StopMemory();
 
   StopMemory(const StopMemory&) = delete;
@@ -31,7 +31,7 @@ class StopMemory {
   /// The name of the node that had stopped the robot when the last driver ended; no value if nobody had.
   const std::optional<std::string>& left() const { return left_; }
 
-  /// Changes the parameter soon. It waits for nothing, and any thread may call it.
+  /// Changes the parameter soon, without waiting for anything. Any thread may call it.
   /// @param stopped_by empty unless the robot is stopped
   void remember(const std::optional<std::string>& stopped_by);
 

@@ -17,7 +17,7 @@ using XmlRpc::XmlRpcValue;
 constexpr std::chrono::seconds kAnswerTimeout{2};
 constexpr double kSlice = 0.05;  // s; how often a call that waits checks whether it has to end
 
-// An answer is an array of these, http://wiki.ros.org/ROS/Master_API
+// The parts of an answer, which is an array: http://wiki.ros.org/ROS/Master_API
 enum { kStatus, kMessage, kResult, kParts };
 constexpr int kSuccess = 1;
 
@@ -42,7 +42,7 @@ std::optional<XmlRpcValue> XmlRpcPeer::call(const char* method, const std::vecto
   const auto end = std::chrono::steady_clock::now() + kAnswerTimeout;
   for (bool is_late = false; !dispatch._sources.empty() && !isEnding() && !is_late;) {
     is_late = std::chrono::steady_clock::now() >= end;
-    dispatch.work(is_late ? 0 : kSlice);  // the answer may have come while this process did not run
+    dispatch.work(is_late ? 0 : kSlice);  // the answer may have come while this process stalled
   }
   XmlRpcValue answer;  // a call that failed counts as done, but its answer is not valid
   if (!client.executeCheckDone(answer) || client.isFault() || answer.getType() != XmlRpcValue::TypeArray ||

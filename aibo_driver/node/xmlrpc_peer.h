@@ -14,7 +14,7 @@ namespace aibo_driver::node {
 
 /// Thrown if no answer came.
 struct NoAnswer {
-  bool is_silent;  ///< true: it took too long; false: nobody is there, or the program there is no part of ROS
+  bool is_silent;  ///< true: no answer came in time; false: nobody is there, or a program that is no part of ROS
 };
 
 /// A program that answers XML-RPC: the ROS master or a node.
@@ -27,8 +27,8 @@ class XmlRpcPeer {
   /// The ROS master of this process.
   static XmlRpcPeer master(const std::shared_future<void>& ended = {});
 
-  /// Calls a method, with the name of this node as its first argument. Unlike ros::master::execute() it does not wait
-  /// for ever, but for 2 s at most. Any thread may call it.
+  /// Calls a method, with the name of this node as its first argument. Unlike ros::master::execute(), it waits for 2 s
+  /// at most, not for ever. Any thread may call it.
   /// @return empty if the call was refused. A program that is no part of ROS can answer with any value
   /// @throw NoAnswer no answer came in time, or calls have to end
   std::optional<XmlRpc::XmlRpcValue> call(const char* method, const std::vector<XmlRpc::XmlRpcValue>& arguments) const;
@@ -43,9 +43,9 @@ class XmlRpcPeer {
 
 /// Whether the ROS master knows a service. Unlike roscpp's own search, it waits for the master for 2 s at most. Any
 /// thread may call it.
-/// @param service with its namespace
-/// @param ended as for XmlRpcPeer
-/// @return false if the master does not answer, too
+/// @param service the name with its namespace
+/// @param ended see XmlRpcPeer
+/// @return true if the master knows the service; false also if the master does not answer
 bool isAdvertised(const std::string& service, const std::shared_future<void>& ended = {});
 
 }  // namespace aibo_driver::node

@@ -20,14 +20,14 @@ namespace aibo_driver::node {
 /// @param joint 0 for the rotator, 1 for the elevator, 2 for the knee
 std::string legJointName(std::size_t leg, std::size_t joint);
 
-/// Where the body of an ERS-7 is above the floor: base_link in base_footprint. stance.h says how this is estimated. The
+/// The pose of an ERS-7's body above the floor: base_link in base_footprint. stance.h says how this is estimated. The
 /// acceleration is smoothed, because the accelerometer also measures every step of the robot.
 ///
-/// Only one thread at a time may use it.
+/// Only one thread at a time may use an object of this class.
 class BodyPose {
  public:
   /// Call this with each measurement of the accelerometer.
-  /// @param acceleration as in imu/data_raw
+  /// @param acceleration the value in imu/data_raw
   void accelerate(const geometry_msgs::Vector3& acceleration, const ros::Time& stamp);
 
   /// Whether an acceleration has been measured. Without one, the body is taken to be level.

@@ -22,11 +22,11 @@
 
 namespace aibo_driver::node {
 
-/// Publishes in tf where the body of an ERS-7 is above the floor: base_link in base_footprint. stance.h says how this
-/// is estimated.
+/// Publishes the pose of an ERS-7's body above the floor in tf: base_link in base_footprint. stance.h says how this is
+/// estimated.
 class FootprintPublisher {
  public:
-  /// All arguments but the handle must outlive the object.
+  /// All arguments except the handle must outlive the object.
   /// @param model must be an ERS-7, because the legs of other robots are not known
   FootprintPublisher(const ros::NodeHandle& handle, const DriverParameters& parameters,
                      const robot_model::RobotModel& model, const movement::JointTable& joint_table,
@@ -43,7 +43,7 @@ class FootprintPublisher {
   const DriverParameters& parameters_;
   const movement::MeasuredJoints& measured_joints_;
   RobotStamper& stamper_;
-  /// Rotator, elevator and knee of each leg in the JointTable.
+  /// The indices of the rotator, elevator and knee of each leg in the JointTable.
   std::array<std::array<std::size_t, robot_model::JOINTS_OF_A_LEG>, robot_model::NUMBER_OF_LEGS> leg_joints_;
   Accelerometer accelerometer_;
   BodyPose pose_;

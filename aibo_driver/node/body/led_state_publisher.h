@@ -17,16 +17,16 @@ namespace aibo_driver::node {
 /// the LEDs as they are. With such a server, an LED is unknown until the robot has accepted a command to it. Without a
 /// connection all LEDs are unknown.
 ///
-/// Not thread-safe.
+/// The class is not thread-safe.
 class LedMemory {
  public:
   /// All LEDs are unknown at first.
   explicit LedMemory(const robot_model::RobotModel& model);
 
-  /// @return true if anything has changed; the other functions return the same
+  /// @return true if the states have changed; accept() returns the same
   bool update(const aibo_client::ConnectionStatus& status);
 
-  /// Ignores LEDs that this robot does not have.
+  /// Notes LEDs that the robot has accepted. LEDs that this robot does not have are ignored.
   bool accept(const std::vector<aibo_client::LedCommand>& leds);
 
   /// The message has no stamp.

@@ -18,7 +18,7 @@ namespace {
 // Several programs may each command some of the LEDs, so messages must not replace each other.
 constexpr std::uint32_t kLedsAndEarsQueueSize = 10;
 
-constexpr std::size_t kMostBytes = 256 << 10;  // far more than all LEDs of a robot
+constexpr std::size_t kMostBytes = 256 << 10;  // far more than a message to all LEDs of a robot
 
 constexpr double kHighestLevel = 255;  // on the wire
 
@@ -143,7 +143,7 @@ void LedsAndEars::send(const std::string& what, const std::function<void()>& com
     movement::requireDesign(client_, model_.design);
     command();
   } catch (const aibo_client::StoppedException&) {
-    // The driver is ending, so nobody needs the message.
+    // Nothing is logged, because the client was stopped: the driver is ending.
   } catch (const aibo_client::Exception& error) {
     warnings_.warn("A command to the " + what + " was dropped: " + error.what());
   }

@@ -30,20 +30,20 @@ struct ParsedLeds {
 /// refused if its arrays do not fit together, or if there is no such mode.
 ParsedLeds parseLeds(const Leds& message, const robot_model::RobotModel& model);
 
-/// Sends commands from the topics leds and ears to the robot. Commands that come without a connection are lost. So are
-/// those to the ears that the mover refuses.
+/// Sends commands from the topics leds and ears to the robot. Commands that come without a connection are lost, and so
+/// are commands to the ears that the mover refuses.
 ///
-/// Only one thread at a time may use it.
+/// Only one thread at a time may use an object of this class.
 class LedsAndEars {
  public:
   /// @param model, client, mover must outlive the commander
   LedsAndEars(const robot_model::RobotModel& model, aibo_client::RcServerClient& client, const movement::Mover& mover)
       : model_(model), client_(client), mover_(mover) {}
 
-  /// @param handle whose callback queue one thread serves
+  /// @param handle a handle whose callback queue is served by one thread
   void subscribe(const ros::NodeHandle& handle);
 
-  /// Logs what could not be sent.
+  /// These functions log what could not be sent.
   void receiveLeds(const Leds& message);
   void receiveEars(const Ears& message, const movement::Order& order);
 

@@ -22,7 +22,7 @@ class PowerStatus {
   static constexpr double kLowCharge = 0.20;
   static constexpr double kEmptyCharge = 0.10;
 
-  /// Degrees Celsius. The robot has no limit of its own. Lithium-ion cells may commonly be discharged at up to 60.
+  /// Degrees Celsius. The robot has no limit of its own. It is common to discharge lithium-ion cells at up to 60.
   static constexpr double kWarm = 50;
   static constexpr double kHot = 60;
 
@@ -40,7 +40,7 @@ class PowerStatus {
  private:
   const robot_model::RobotModel& model_;
   mutable std::mutex mutex_;
-  bool is_over_ = false;  ///< true if the values are of a connection that was lost
+  bool is_over_ = false;  ///< true if the values were measured over a connection that is now lost
   std::optional<double> charge_;
   std::optional<double> temperature_;
 };

@@ -18,7 +18,7 @@ namespace {
 
 using files::motionFileName;
 
-// How long each kind of call waits for the robot's answer. A memory stick is slow.
+// How long each kind of call waits for the robot's answer. The times are long because a memory stick is slow.
 constexpr std::chrono::milliseconds kFileTimeout{5000};
 constexpr std::chrono::milliseconds kUploadTimeout{15000};
 constexpr std::chrono::milliseconds kPowerTimeout{5000};

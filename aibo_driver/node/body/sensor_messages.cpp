@@ -7,7 +7,7 @@
 namespace aibo_driver::node {
 namespace {
 
-// The fields of a message that belong to one sensor.
+// A sensor, and the fields of the message that belong to it.
 struct Field {
   const char* sensor;
   std::uint8_t Touch::*touched;
@@ -24,7 +24,7 @@ constexpr Field kFields[] = {
     {"back_front", &Touch::back_front, &Touch::back_front_strength},
     {"back_middle", &Touch::back_middle, &Touch::back_middle_strength},
     {"back_rear", &Touch::back_rear, &Touch::back_rear_strength},
-    {"back", &Touch::back_middle, nullptr},  // an ERS-210 has only this one
+    {"back", &Touch::back_middle, nullptr},  // an ERS-210 has only this sensor on its back
 };
 
 Touch untouched() {
@@ -69,7 +69,7 @@ std::optional<sensor_msgs::JointState> JointStates::read(const Telemetry& teleme
     }
   }
   if (message.effort.size() != message.name.size()) {
-    // A message has the effort of all its joints or of none.
+    // A message has to have the effort of all its joints or of none.
     message.effort.clear();
   }
   return message.name.empty() ? std::nullopt : std::optional<Message>(std::move(message));
@@ -111,8 +111,8 @@ std::optional<sensor_msgs::Imu> Accelerometer::read(const Telemetry& telemetry) 
   message.linear_acceleration.x = -*backwards;
   message.linear_acceleration.y = *left;
   message.linear_acceleration.z = -*down;
-  // -1 means that the orientation is not measured. The covariance of the acceleration stays 0, which means unknown
-  // (sensor_msgs/Imu).
+  // A covariance of -1 means that the message has no such measurement. The covariance of the acceleration stays 0,
+  // which means unknown (sensor_msgs/Imu).
   message.orientation_covariance[0] = -1;
   message.angular_velocity_covariance[0] = -1;
   return message;

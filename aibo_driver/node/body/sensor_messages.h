@@ -52,7 +52,7 @@ class JointStates {
   const movement::MeasuredJoints& measured_;
 };
 
-/// What an infrared range finder measures. The range is -inf if something is too near to be measured, and inf if
+/// The message of an infrared range finder. The range is -inf if something is too near to be measured, and inf if
 /// nothing is near enough (REP 117).
 class RangeFinder {
  public:
@@ -73,14 +73,14 @@ class RangeFinder {
   const robot_model::Sensor& sensor_;
 };
 
-/// What the three accelerometers measure, in the axes of the body (REP 103: x forward, y left, z up).
+/// The message of the three accelerometers, in the axes of the body (REP 103: x forward, y left, z up).
 ///
-/// Like every accelerometer, they also measure the force that holds the robot up: at rest, 9.81 upwards
+/// Like every accelerometer, these also measure the force that holds the robot up: at rest, 9.81 upwards
 /// (sensor_msgs/Imu). Sony names the axes (a1 front-back, a2 right-left, a3 up-down; Model Information ERS-7) but not
 /// their signs. The signs follow from Tekkotsu's ERS7Info.h and ERS210Info.h, which describe real robots: a1 is
-/// negative when the robot sits on its butt, a2 when it lies on its left side, a3 when it stands. In these three
-/// postures its nose, its right side and its back point up. So a1 counts backwards, a2 to the left and a3 downwards.
-/// These axes are right-handed. They are the axes of the body after half a turn about y.
+/// negative when the robot sits, a2 when it lies on its left side, a3 when it stands. In these three postures its nose,
+/// its right side and its back point up. So a1 counts backwards, a2 to the left and a3 downwards. These axes are
+/// right-handed. They are the axes of the body after half a turn about y.
 class Accelerometer {
  public:
   using Message = sensor_msgs::Imu;
@@ -100,7 +100,7 @@ class Accelerometer {
   std::uint64_t connection_ = 0;
 };
 
-/// What the switches and touch sensors measure.
+/// The message of the switches and touch sensors.
 class TouchSensors {
  public:
   using Message = Touch;
@@ -126,7 +126,7 @@ class TouchSensors {
   std::uint64_t connection_ = 0;
 };
 
-/// How full and how warm the battery is. A value that the robot does not measure is NaN or unknown.
+/// The message about the battery. A value that the robot does not measure is NaN or unknown.
 class Battery {
  public:
   using Message = sensor_msgs::BatteryState;

@@ -18,11 +18,11 @@
 namespace aibo_driver::node {
 
 /// Publishes what the robot measures: joint_states, range/NAME, imu/data_raw, touch and battery. A sensor that the
-/// robot does not have gets no topic. A message is published whenever it has something new. It is made only if somebody
-/// listens.
+/// robot does not have gets no topic. A message is published whenever there is something new in it, and made only if
+/// somebody listens.
 class TelemetryPublishers {
  public:
-  /// All arguments but the handle must outlive the object.
+  /// All arguments except the handle must outlive the object.
   TelemetryPublishers(const ros::NodeHandle& handle, const DriverParameters& parameters,
                       const robot_model::RobotModel& model, const movement::JointTable& joint_table,
                       const movement::MeasuredJoints& measured_joints, RobotStamper& stamper);

@@ -25,7 +25,7 @@ namespace {
 
 using sensor_msgs::CameraInfo;
 
-// camera_info_manager has the same default.
+// The same default as in camera_info_manager.
 constexpr const char* kDefaultUrl = "file://${ROS_HOME}/camera_info/${NAME}.yaml";
 constexpr std::string_view kFileScheme = "file://";
 constexpr std::string_view kPackageScheme = "package://";
@@ -45,7 +45,7 @@ void replaceAll(const std::string& what, const std::string& with, std::string* t
 }
 
 bool isIni(const std::string& file) {
-  return std::filesystem::path(file).extension() == ".ini";  // the parser goes by it
+  return std::filesystem::path(file).extension() == ".ini";  // the parser goes by the extension
 }
 
 CameraInfo load(const std::string& file) {
@@ -69,7 +69,7 @@ CameraInfo load(const std::string& file) {
   return info;
 }
 
-/// @param is_wanted the user has named the file
+/// @param is_wanted true: the user has named the file
 void logCalibration(const CameraInfo& info, const std::string& file, bool is_wanted) {
   std::error_code error;
   if (is_wanted && !std::filesystem::exists(file, error)) {
@@ -101,7 +101,7 @@ std::string calibrationFile(const std::string& url, const std::string& camera_na
   const bool in_package = resolved.rfind(kPackageScheme, 0) == 0;
   const std::size_t begin = in_package ? kPackageScheme.size() : kFileScheme.size();
   const std::size_t slash = resolved.find('/', begin);
-  const std::string ending = std::filesystem::path(resolved).extension();  // the parser goes by it
+  const std::string ending = std::filesystem::path(resolved).extension();  // the parser goes by the extension
   const bool is_file = slash != std::string::npos && (ending == ".yaml" || ending == ".yml" || isIni(resolved));
   if (!is_file || resolved.find("${") != std::string::npos) {
     throw aibo_client::InvalidArgumentException(
@@ -184,7 +184,7 @@ bool Calibration::set(sensor_msgs::SetCameraInfo::Request& request, sensor_msgs:
   return true;
 }
 
-// @return why it was not stored; empty if it was stored
+// @return why the calibration was not stored; empty if it was
 std::string Calibration::store(const CameraInfo& info) {
   if (isEmpty(info)) {
     return "all of K is 0, which means that there is no calibration; delete " + file_ +

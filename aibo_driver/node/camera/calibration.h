@@ -17,11 +17,11 @@
 
 namespace aibo_driver::node {
 
-/// The camera's calibration, with the service set_camera_info. The nominal calibration takes its place until there is
-/// one, and while its size does not fit the robot's pictures (nominal_calibration.h).
+/// The camera's calibration, with the service set_camera_info. The nominal calibration (nominal_calibration.h) is used
+/// until a calibration is stored, and while the stored one does not fit the size of the robot's pictures.
 ///
-/// The files are where camera_info_manager would have them. The service of camera_info_manager accepts and saves
-/// anything. This one refuses what makes no sense (calibration_check.h), and keeps the old calibration.
+/// The files are where camera_info_manager would have them. That package's service accepts and saves anything. This
+/// service refuses what makes no sense (calibration_check.h), and keeps the old calibration.
 class Calibration {
  public:
   /// @param camera_handle the camera's namespace
@@ -60,7 +60,7 @@ class Calibration {
   ros::ServiceServer service_;
 };
 
-/// The file of a calibration. Any thread may call it.
+/// The path of a calibration's file. Any thread may call this function.
 /// @param url file:///FILE.yaml or package://PACKAGE/FILE.yaml, or the same with .ini. ${ROS_HOME} stands for
 ///   files::rosHome(), and ${NAME} for the camera's name. An empty url means
 ///   file://${ROS_HOME}/camera_info/${NAME}.yaml, as with camera_info_manager.
@@ -69,9 +69,9 @@ class Calibration {
 /// @throw FileException there is no home: see files::rosHome()
 std::string calibrationFile(const std::string& url, const std::string& camera_name);
 
-/// Writes a calibration to a YAML or INI file, which is whole or as it was (replace_file.h). Its folder is made if it
-/// is missing.
-/// @throw files::FileException it cannot be written, or it is INI, which has no such distortion model
+/// Writes a calibration to a YAML or INI file. If this fails, the file stays as it was (replace_file.h). A missing
+/// folder is made.
+/// @throw files::FileException the file cannot be written, or is an INI file, which has no such distortion model
 /// @throw std::filesystem::filesystem_error its folder cannot be made
 void saveCalibration(const sensor_msgs::CameraInfo& info, const std::string& camera_name, const std::string& file);
 

@@ -17,19 +17,19 @@ namespace {
 
 using sensor_msgs::CameraInfo;
 
-// Our choice: Sony's cameras see 45 to 58 degrees, and a lens in front of one may change that. Focal lengths in
-// millimetres, or with a lost decimal point, are far out of this range.
+// The limits are our choice: Sony's cameras see 45 to 58 degrees, and a lens in front of one may change that. Focal
+// lengths in millimetres, or with a lost decimal point, are far beyond these limits.
 constexpr double kNarrowestView = 10;  // degrees
 constexpr double kWidestView = 140;    // degrees
 
-// Our choice: no lens in front of the camera moves a corner of the picture so far, as a multiple of its distance from
-// the middle. Calibrations from too few pictures do.
+// How far a corner of the picture may be moved, as a multiple of its distance from the middle. No real lens moves it so
+// far, but calibrations from too few pictures do. The value is our choice.
 constexpr double kMostDistortion = 3;
 
 constexpr double kRoundingOfRotations = 0.01;  // of products; files have a few digits
 
-// CameraInfo.msg and OpenCV. Older releases of cameracalibrator.py wrote all 14 numbers of OpenCV for a
-// rational_polynomial.
+// The models and numbers of CameraInfo.msg and OpenCV. Older releases of cameracalibrator.py wrote all 14 numbers of
+// OpenCV for a rational_polynomial.
 const std::map<std::string, std::set<std::size_t>> kCoefficients = {
     {"", {}}, {"plumb_bob", {5}}, {"rational_polynomial", {8, 12, 14}}, {"equidistant", {4}}};
 
@@ -94,7 +94,7 @@ std::string problemOfDistortion(const CameraInfo& info) {
   return {};
 }
 
-/// @param focal_length in pixels
+/// @param focal_length the focal length in pixels
 std::string problemOfView(const std::string& name, double focal_length, std::uint32_t pixels) {
   const double view = 2 * std::atan2(pixels / 2.0, focal_length) * 180 / std::acos(-1.0);
   if (view >= kNarrowestView && view <= kWidestView) {
@@ -149,7 +149,7 @@ std::string problemOfNumbers(const YAML::Node& file, const std::string& name, in
   const auto given_rows = node["rows"].as<int>();
   const auto given_columns = node["cols"].as<int>();
   const bool fits = rows == 0 || (given_rows == rows && given_columns == columns);
-  // Few enough that nothing overflows. A problem with the number of coefficients is described later.
+  // Few enough that the product does not overflow. A wrong number of coefficients is reported later.
   const bool is_full = given_rows >= 0 && given_rows <= 99 && given_columns >= 0 && given_columns <= 99 &&
                        numbers.size() == static_cast<std::size_t>(given_rows * given_columns);
   if (fits && is_full) {
@@ -189,7 +189,7 @@ std::string problemOfFile(const std::string& file) {
       }
     }
     return {};
-  } catch (const YAML::Exception& error) {  // the library's text may quote the file, which may be any file
+  } catch (const YAML::Exception& error) {  // the text of the exception may quote the file, which may be any file
     return "it is not the YAML of a calibration" +
            (error.mark.is_null() ? "" : join(": see its line ", error.mark.line + 1));
   }

@@ -10,7 +10,7 @@
 
 namespace aibo_driver::node {
 
-/// True if all of K is 0. CameraInfo.msg says that a camera without a calibration is described so.
+/// True if all of K is 0. By CameraInfo.msg, the camera then has no calibration.
 bool isEmpty(const sensor_msgs::CameraInfo& info);
 
 /// Finds out why a calibration makes no sense.
@@ -18,7 +18,7 @@ bool isEmpty(const sensor_msgs::CameraInfo& info);
 std::string problemOf(const sensor_msgs::CameraInfo& info);
 
 /// Finds out why camera_calibration_parsers would read the matrices of a file wrongly. It reads as many numbers as
-/// `rows` and `cols` say, wherever that leads, and ignores the others: with decimal commas, there are twice as many.
+/// `rows` and `cols` say, even past their end, and ignores the others. With decimal commas, a file has twice as many.
 /// @param file a YAML file that exists
 /// @return the problem and what to do, for a message to the user, without a full stop; empty if there is none
 std::string problemOfFile(const std::string& file);

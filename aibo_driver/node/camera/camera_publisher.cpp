@@ -30,8 +30,8 @@ CameraPublisher::CameraPublisher(const ros::NodeHandle& camera_handle, const Dri
                                                                      kPictureQueueSize, on_change, on_change);
 }
 
-// A message wakes roscpp's thread, which takes a lock. Asking for subscribers takes the same lock, so this comes before
-// the message.
+// A message wakes roscpp's thread, which takes a lock. The question whether there are subscribers needs the same lock,
+// so it is asked before the message is published.
 sensor_msgs::CompressedImageConstPtr CameraPublisher::publish(const Picture& picture, const ros::Time& stamp,
                                                               bool is_wanted) {
   calibration_.pictureCame(static_cast<std::uint32_t>(picture.width), static_cast<std::uint32_t>(picture.height));

@@ -21,8 +21,8 @@ using aibo_client::Picture;
 /// header: see Calibration.
 class CameraPublisher {
  public:
-  /// The format of all pictures. It makes image_transport's decoders deliver the same encoding as our image_raw. A
-  /// plain "jpeg" means bgr8 to some releases of compressed_image_transport and rgb8 to others.
+  /// The format of all pictures. It makes image_transport's decoders output the same encoding as our image_raw. A plain
+  /// "jpeg" means bgr8 to some releases of compressed_image_transport and rgb8 to others.
   static constexpr const char* kFormat = "bgr8; jpeg compressed bgr8";
 
   /// @param camera_handle the camera's namespace
@@ -33,12 +33,12 @@ class CameraPublisher {
                   robot_time::RobotClock* robot_clock, const std::function<void()>& subscribers_changed);
 
   /// Publishes a picture to its subscribers. It never blocks. Only one thread at a time may call it.
-  /// @param stamp the stamp of momentOf()
+  /// @param stamp the stamp from momentOf()
   /// @param is_wanted true if the caller needs the message, too
   /// @return the message; null if nobody needs it
   sensor_msgs::CompressedImageConstPtr publish(const Picture& picture, const ros::Time& stamp, bool is_wanted);
 
-  /// The picture as a message. The same picture gets the same header each time. Any thread may call it.
+  /// Makes a message of a picture. The same picture gets the same header each time. Any thread may call this.
   sensor_msgs::CompressedImage toMessage(const Picture& picture) { return toMessage(picture, momentOf(picture).stamp); }
 
   /// When the picture was taken, and the stamp of its messages. Call this for each picture, even if nobody listens: all

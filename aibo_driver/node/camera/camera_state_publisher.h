@@ -19,11 +19,11 @@ namespace aibo_driver::node {
 /// @param header the header of the picture's message
 CameraState cameraStateOf(const aibo_client::Picture& picture, const std_msgs::Header& header);
 
-/// True if both have the same size and settings. They may belong to different pictures.
+/// True if two states have the same size and settings, even if they belong to different pictures.
 bool isSameState(const CameraState& one, const CameraState& other);
 
-/// Publishes the camera's state (camera/state), latched, when a picture comes that has another state or is the first
-/// one of a connection: its frame number then belongs to this robot.
+/// Publishes the camera's state (camera/state), latched, when it changes. It is also published for the first picture of
+/// a connection, so that the frame number is one of this connection.
 class CameraStatePublisher {
  public:
   /// @param camera_handle the camera's namespace

@@ -17,7 +17,7 @@ namespace aibo_driver::node {
 /// The regions in pixels of the camera's picture, which is twice as wide and high as the plane.
 ColorRegions toRegions(const aibo_client::DetectedColors& colors, const std_msgs::Header& header);
 
-/// The index is the channel.
+/// The colour of each channel; the index is the channel.
 using ChannelColors = std::array<RgbColor, aibo_client::kMostColorChannels>;
 
 /// The mask as an rgb8 image of the plane's size. A pixel where nothing was detected is black. Any other pixel has the

@@ -8,7 +8,7 @@ namespace aibo_driver::node {
 namespace {
 
 constexpr RgbColor kWhite = {255, 255, 255};
-constexpr std::uint32_t kColorQueueSize = 5;  // pictures have the same queue size
+constexpr std::uint32_t kColorQueueSize = 5;  // the same size as for pictures
 
 }  // namespace
 

@@ -15,7 +15,7 @@
 namespace aibo_driver::node {
 
 /// Publishes what the robot's camera detects: color_regions, and color_mask as an image. The robot detects only while
-/// one of them has a subscriber. It sends the mask only while color_mask has one. Any thread may call any function.
+/// one of the two has a subscriber. It sends the mask only while color_mask has one. Any thread may call any function.
 class ColorPublisher {
  public:
   /// @param handle the driver's namespace
@@ -27,14 +27,14 @@ class ColorPublisher {
   /// @param detect must not block
   void start(std::function<void(const aibo_client::ColorDetection&)> detect);
 
-  /// After it returns, `detect` is not running and is not called any more.
+  /// Stops the calls of `detect`. After this function returns, `detect` is not running and is not called any more.
   void stop();
 
   /// Call this when a channel has another table. The channel's pixels in color_mask then get the table's colour.
   /// @param table null if the channel has none
   void setTable(int channel, const aibo_client::ColorTablePtr& table);
 
-  /// It never blocks.
+  /// Publishes the colours of an image. It never blocks.
   void publish(const aibo_client::DetectedColors& colors);
 
  private:

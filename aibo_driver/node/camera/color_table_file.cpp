@@ -19,7 +19,7 @@ using aibo_client::ColorTable;
 namespace {
 
 constexpr int kYPerSegment = 256 / aibo_client::kColorSegments;
-// This is enough for 32 ranges and comments. yaml-cpp 0.6 needs stack for each level of nested brackets.
+// Enough for 32 ranges and comments. The limit also protects the stack, which yaml-cpp 0.6 needs for nested brackets.
 constexpr std::size_t kLongestFile = 8192;
 
 struct Range {
@@ -37,7 +37,7 @@ std::string shown(const YAML::Node& node) {
   return canBeShown(text) ? text : "something else";
 }
 
-/// @param where for messages, for example "pink.yaml, range 2"
+/// @param where the place for messages, for example "pink.yaml, range 2"
 Range rangeIn(const YAML::Node& range, const std::string& key, const std::string& where) {
   const YAML::Node node = range[key];
   try {
@@ -46,7 +46,7 @@ Range rangeIn(const YAML::Node& range, const std::string& key, const std::string
       return {ends[0], ends[1]};
     }
   } catch (const YAML::Exception&) {
-    // Such a number is refused below.
+    // A number of this kind is refused below.
   }
   std::ostringstream text;
   text << where << ": " << key << " is " << shown(node)
@@ -88,7 +88,7 @@ ColorTable parseColorTable(const std::string& text, const std::string& source) {
   try {
     const protocol::Text shown = protocol::textInFile(text.data(), text.size());
     file = YAML::Load(std::string(shown.begin, shown.size));
-  } catch (const YAML::Exception& error) {  // the library's text may quote the file, which may be any file
+  } catch (const YAML::Exception& error) {  // the text of the exception may quote the file, which may be any file
     throw ColorTableException(source + ": it is not YAML: see its line " + std::to_string(error.mark.line + 1) + ".");
   }
   if (!file.IsMap() || !file["ranges"].IsSequence() || file["ranges"].size() == 0) {
@@ -135,7 +135,7 @@ std::string toYaml(const ColorTable& table) {
     }
     first = end;
   }
-  text << "\n]\n";  // without its last bracket, a file that was cut off is no YAML
+  text << "\n]\n";  // the last bracket shows whether the file was cut off
   return text.str();
 }
 

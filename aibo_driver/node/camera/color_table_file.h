@@ -18,9 +18,9 @@ class ColorTableException : public aibo_client::Exception {
   using Exception::Exception;
 };
 
-/// @param text YAML
+/// @param text a text in YAML
 /// @param source the text's source for messages, such as the file's name
-/// @throw ColorTableException
+/// @throw ColorTableException the text contains no table
 aibo_client::ColorTable parseColorTable(const std::string& text, const std::string& source);
 
 /// @param file a path, or the name of a table in this package: pink_ball is config/colors/pink_ball.yaml

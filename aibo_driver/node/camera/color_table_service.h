@@ -17,12 +17,12 @@ namespace aibo_driver::node {
 class ColorTableService {
  public:
   /// @param model, client must outlive the object
-  /// @param loaded called with each table that a channel gets; with null if the channel has none any more
+  /// @param loaded called with each table that a channel gets, and with null if the channel loses its table
   ColorTableService(const robot_model::RobotModel& model, aibo_client::RcServerClient& client,
                     std::function<void(int channel, const aibo_client::ColorTablePtr& table)> loaded);
 
-  /// Loads tables for the channels 0, 1 and so on. If a table cannot be loaded, this is logged and its channel stays
-  /// empty.
+  /// Loads tables for the channels 0, 1 and so on. If a table cannot be loaded, its channel stays empty, and the reason
+  /// is logged.
   /// @param tables files or names for loadColorTable(), separated by blanks or commas
   void loadAtStart(const std::string& tables);
 

@@ -14,7 +14,7 @@ ImageDecoder::ImageDecoder(const ros::NodeHandle& handle) : handle_(inDriverName
   ROS_INFO_STREAM("Decoding " << topic << "/compressed to " << topic << " while it has subscribers.");
 }
 
-// From here on neither side calls the other, although subscribers may still come and go on another thread.
+// After the shutdown, neither side calls the other, although subscribers may still come and go on another thread.
 ImageDecoder::~ImageDecoder() {
   const std::lock_guard<std::mutex> lock(mutex_);
   stopping_ = true;

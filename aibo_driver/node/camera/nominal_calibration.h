@@ -21,12 +21,12 @@ namespace aibo_driver::node {
 /// view.
 /// ERS-210: 57.6 x 47.8 degrees (Model Information ERS-210).
 ///
-/// Any thread may call it.
+/// Any thread may call this function.
 /// @param design the robot's design, "ERS-7" or "ERS-210"
 /// @param width, height the size of the pictures, above 0; every size shows the whole field of view
 sensor_msgs::CameraInfo nominalCalibration(const std::string& design, std::uint32_t width, std::uint32_t height);
 
-/// The same calibration for pictures of another size, which show the same field of view. Any thread may call it.
+/// The same calibration for pictures of another size but the same field of view. Any thread may call this function.
 /// @param width, height the size of the pictures, above 0
 /// @return empty unless both sides are multiplied, or both are divided, by the same whole number
 std::optional<sensor_msgs::CameraInfo> scaleCalibration(const sensor_msgs::CameraInfo& info, std::uint32_t width,

@@ -19,10 +19,10 @@ namespace aibo_driver::node {
 
 /// Publishes JPEG pictures as bgr8 images through image_transport while they have subscribers.
 ///
-/// It decodes in a thread of its own, so that publish() never waits. One picture can wait while another is being
-/// decoded. A newer picture takes the place of the one that waits.
+/// The publisher decodes in a thread of its own, so that publish() never waits. One picture can wait while another is
+/// being decoded. A newer picture takes the place of the one that waits.
 ///
-/// If compressed_image_transport is installed, it advertises TOPIC/compressed for every image topic. That would be a
+/// If compressed_image_transport is installed, it advertises TOPIC/compressed for every image topic. It would then be a
 /// second publisher on the topic of the robot's own JPEGs, so its plugins are disabled for this topic.
 class RawImagePublisher {
  public:
@@ -32,7 +32,7 @@ class RawImagePublisher {
     std::uint64_t skipped = 0;        ///< pictures replaced by a newer one before they were decoded
   };
 
-  /// @param handle the topic is in its namespace
+  /// @param handle the handle whose namespace the topic is in
   /// @param topic the base name of the image topic, such as image_raw; it may be remapped
   /// @param subscribers_changed called from handle's callback queue when a subscriber comes or goes; may be empty
   RawImagePublisher(const ros::NodeHandle& handle, const std::string& topic, std::function<void()> subscribers_changed);
@@ -41,7 +41,7 @@ class RawImagePublisher {
   RawImagePublisher(const RawImagePublisher&) = delete;
   RawImagePublisher& operator=(const RawImagePublisher&) = delete;
 
-  /// Hands a picture to the decoder. Call it only while hasSubscribers(). It never blocks. Any thread may call it.
+  /// Hands a picture to the decoder, without blocking. Call it only while hasSubscribers(). Any thread may call it.
   void publish(const sensor_msgs::CompressedImageConstPtr& picture);
 
   bool hasSubscribers() const;

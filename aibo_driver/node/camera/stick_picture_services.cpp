@@ -18,7 +18,7 @@
 namespace aibo_driver::node {
 namespace {
 
-// A memory stick is slow.
+// How long a call waits. The time is long because a memory stick is slow.
 constexpr std::chrono::milliseconds kTimeout{15000};
 
 /// @throw InvalidArgumentException the name is empty

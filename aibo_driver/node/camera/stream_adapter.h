@@ -13,8 +13,8 @@
 
 namespace aibo_driver::node {
 
-/// Asks the robot for the quality and rate that the user wants. With ~adaptive, it asks for as much of them as the link
-/// carries in time (AdaptiveStream). Any thread may call any function.
+/// Asks the robot for the quality and rate that the user wants. With ~adaptive, it lowers both as far as the link
+/// requires (AdaptiveStream). Any thread may call any function.
 class StreamAdapter {
  public:
   using SteadyTime = std::chrono::steady_clock::time_point;
@@ -34,11 +34,11 @@ class StreamAdapter {
   /// @param client must outlive the adapter
   explicit StreamAdapter(aibo_client::RcServerClient& client);
 
-  /// A new wish takes effect at once. An unchanged wish does nothing.
+  /// Changes what the user wants, which takes effect at once. An unchanged wish does nothing.
   void setWish(const Wish& wish);
 
   /// Call this when a picture has been published. It may ask the client for another stream, which does not block.
-  /// @param taken when the robot took the picture; empty if that is not known, and then nothing can be adapted
+  /// @param taken when the robot took the picture; if this is empty, the time is not known, and nothing is adapted
   void picturePublished(SteadyTime now, std::optional<SteadyTime> taken);
 
   /// The quality that the user wants. It is also the default of take_picture.

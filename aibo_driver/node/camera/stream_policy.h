@@ -9,8 +9,8 @@ namespace aibo_driver::node {
 
 /// Decides whether the robot streams.
 ///
-/// It streams while the stream is wanted (~stream_on_start, set_streaming, toggle_streaming). With ~stream_on_demand, a
-/// camera topic must have a subscriber, too. Any thread may call any function.
+/// The robot streams while the stream is wanted (~stream_on_start, set_streaming, toggle_streaming). With
+/// ~stream_on_demand, a camera topic must have a subscriber, too. Any thread may call any function.
 class StreamPolicy {
  public:
   StreamPolicy(bool wanted, bool on_demand) : on_demand_(on_demand), wanted_(wanted) {}
@@ -20,7 +20,7 @@ class StreamPolicy {
   /// @param set_streaming called with each decision; must not block. Neither function may call back into this class
   void start(std::function<bool()> has_subscriber, std::function<void(bool)> set_streaming);
 
-  /// From now on decisions are only remembered. After it returns, neither function is running or will be called.
+  /// Only remembers decisions from now on. After it returns, neither function is running or will be called.
   void stop();
 
   void setWanted(bool wanted);

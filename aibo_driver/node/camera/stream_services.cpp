@@ -36,7 +36,7 @@ std::string describePicture(const aibo_client::Picture& picture, int asked_quali
 /// Counts a call while it waits for a picture.
 class PictureCall {
  public:
-  /// @throw CommandException kMostPictureCalls wait already
+  /// @throw CommandException kMostPictureCalls are waiting already
   explicit PictureCall(std::atomic<int>& calls) : calls_(calls) {
     if (++calls_ > kMostPictureCalls) {
       --calls_;
@@ -62,7 +62,7 @@ std::optional<aibo_client::Resolution> resolutionIn(const TakePicture::Request& 
   return resolution;
 }
 
-/// Answers a caller who wants the stream on or off. Success means that the stream is in this state, or soon will be.
+/// Answers a caller who wants the stream on or off. Success means that the stream is as wanted, or soon will be.
 template <typename Response>
 std::string answerWish(bool wanted, const StreamPolicy& policy, const DriverParameters& parameters,
                        const aibo_client::RcServerClient& client, Response* response) {

@@ -32,7 +32,7 @@ using Tolerances = std::map<std::string, control_msgs::JointTolerance>;
 constexpr std::chrono::milliseconds kPeriod{50};
 constexpr const char* kCancelled = "the goal was cancelled";
 
-/// Thrown if a goal cannot be accepted for another reason than Result::INVALID_GOAL.
+/// Thrown if a goal cannot be accepted for a reason other than Result::INVALID_GOAL.
 class GoalRefusal : public aibo_client::InvalidArgumentException {
  public:
   GoalRefusal(std::int32_t code, const std::string& reason) : InvalidArgumentException(reason), code_(code) {}
@@ -56,7 +56,7 @@ Tolerances tolerancesOf(const std::vector<control_msgs::JointTolerance>& list,
   return tolerances;
 }
 
-// A tolerance of 0 means the usual tolerance. A tolerance below 0 means that there is none.
+// When the goal's joints have arrived. A tolerance of 0 is the usual one; below 0, there is none.
 movement::Arrival arrivalOf(const FollowJointTrajectoryGoal& goal) {
   movement::Arrival arrival;
   for (const auto& [joint, given] : tolerancesOf(goal.goal_tolerance, goal.trajectory)) {
@@ -80,7 +80,7 @@ bool isBeyond(double error, double tolerance) {
   return tolerance > 0 && !(std::abs(error) <= tolerance);
 }
 
-/// Describes the first joint that is not within its tolerance. The text is empty if all joints are.
+/// Describes the first joint that is not within its tolerance; empty if all joints are.
 std::string violation(const Tolerances& tolerances, const FollowJointTrajectoryFeedback& state) {
   for (std::size_t i = 0; i < state.joint_names.size(); ++i) {
     const auto found = tolerances.find(state.joint_names[i]);
@@ -153,12 +153,12 @@ End endOf(const movement::EndedMovement& end) {
 /// The trajectory of one goal.
 class GoalTrajectory {
  public:
-  /// Begins it.
+  /// Begins the trajectory.
   /// @throw GoalRefusal, InvalidArgumentException, CommandException it does not begin
   GoalTrajectory(const movement::JointTable& table, const movement::MeasuredJoints& measured, movement::Mover& mover,
                  const FollowJointTrajectoryGoal& goal, const movement::Order& order);
 
-  /// Holds its joints.
+  /// Stops the trajectory; its joints hold their positions.
   /// @throw the exceptions of Mover::cancel()
   void cancel();
 
@@ -227,8 +227,8 @@ std::optional<End> GoalTrajectory::violated(const FollowJointTrajectoryFeedback&
   return End{End::State::kAborted, resultOf(Result::PATH_TOLERANCE_VIOLATED, problem), problem};
 }
 
-// Where the joints should be and where they are. It is empty before the beginning and after the end. Each measured
-// position is compared with where the joint should have been when it was measured.
+// Where the joints should be and where they are. The result is empty before the trajectory's beginning and after its
+// end. Each measured position is compared with where the joint should have been when it was measured.
 FollowJointTrajectoryFeedback GoalTrajectory::state() const {
   FollowJointTrajectoryFeedback state;
   for (std::size_t i = 0; i < joints_.size(); ++i) {

@@ -18,10 +18,10 @@ namespace {
 // reads all waiting messages at once, and each of them has to get its end.
 constexpr std::uint32_t kCommandQueueSize = 200;
 
-// A newer trajectory may replace another one, or it may move other joints.
+// The queue is short, but not 1: a newer trajectory replaces another one, unless it moves other joints.
 constexpr std::uint32_t kTrajectoryQueueSize = 5;
 
-constexpr std::size_t kMostBytesOfCommand = 256 << 10;   // far more than all joints of a robot
+constexpr std::size_t kMostBytesOfCommand = 256 << 10;   // far more than a command to all joints of a robot
 constexpr std::size_t kMostBytesOfTrajectory = 1 << 20;  // all joints, thirty points a second, for a hundred seconds
 
 template <typename Message>
@@ -79,7 +79,7 @@ void JointCommander::receiveBounded(const ros::MessageEvent<Bounded const>& even
 }
 
 void JointCommander::receive(const sensor_msgs::JointState& message, const movement::Order& order) {
-  sendCollected();  // these positions came before the message
+  sendCollected();  // the collected positions came before this message
   using Kind = movement::Movement::Kind;
   mover_.command(order, message.name, message.position, message.velocity,
                  message.header.frame_id == kLookAt ? Kind::kLookAt : Kind::kCommand);
@@ -111,7 +111,7 @@ void JointCommander::receivePosition(const std::string& joint, double position, 
   }
   if (collected_.name.empty()) {
     collected_order_ = order;
-    collecting_.stop();  // a timer that has run out starts again only if it has been stopped
+    collecting_.stop();  // a timer that has run out does not start again unless it was stopped
     collecting_.start();
   }
   collected_.name.push_back(joint);

@@ -25,7 +25,7 @@ namespace aibo_driver::node {
 /// joint. Messages that a node sends to several of these topics within kCollectingTime go to the robot together. A
 /// trajectory without points stops all joints where they are.
 ///
-/// Only one thread at a time may use it.
+/// Only one thread at a time may use an object of this class.
 class JointCommander {
  public:
   /// How long commands to single joints are collected. It is half of the 8 ms after which the robot takes new
@@ -41,11 +41,11 @@ class JointCommander {
   JointCommander(const JointCommander&) = delete;
   JointCommander& operator=(const JointCommander&) = delete;
 
-  /// @param handle whose callback queue one thread serves
+  /// @param handle a handle whose callback queue is served by one thread
   void subscribe(const ros::NodeHandle& handle);
 
-  /// Call this when something begins to move, on the thread of the callback queue. From then on, the commander moves
-  /// it.
+  /// Call this on the thread of the callback queue when a movement begins. From then on, the commander calls
+  /// Mover::advance().
   void moveOn() { timer_.start(); }
 
   void receive(const sensor_msgs::JointState& message, const movement::Order& order);

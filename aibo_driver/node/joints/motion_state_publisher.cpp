@@ -58,7 +58,7 @@ Movement toMessage(const movement::Movement& movement, movement::SteadyTime stea
   if (movement.end) {
     const double left = std::max(0.0, std::chrono::duration<double>(*movement.end - steady_now).count());
     const double end = now.toSec() + left;
-    // A sum that is too large would throw.
+    // ros::Time would throw if the sum were too large.
     message.end = end < ros::TIME_MAX.toSec() ? ros::Time(end) : ros::TIME_MAX;
   }
   return message;
@@ -122,7 +122,7 @@ MotionStatePublisher::MotionStatePublisher(const ros::NodeHandle& handle, const 
 }
 
 void MotionStatePublisher::publish() {
-  // The lock ensures that the newest state is published last.
+  // The lock is held until the state is published, so that the newest state is published last.
   const std::lock_guard<std::mutex> lock(mutex_);
   const movement::Mover::State state = mover_.state();
   const ros::Time now = ros::Time::now();

@@ -23,7 +23,7 @@ constexpr std::size_t kEndsInMessage = 8;
 std::uint8_t endConstant(aibo_client::EndedHow how);
 
 /// Makes a message with at most kEndsInMessage ends.
-/// @param steady_now, now the same time on the two clocks; the stamps are those of the second one
+/// @param steady_now, now the same time on two clocks; the stamps are times of the second clock
 MotionState toMessage(const movement::Mover::State& state, movement::SteadyTime steady_now, const ros::Time& now);
 
 /// Makes the messages with the newest ends, at most kEndsInMessage in each. The last one is the present state.

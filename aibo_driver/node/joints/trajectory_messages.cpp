@@ -8,7 +8,7 @@
 namespace aibo_driver::node {
 namespace {
 
-// A message takes time to arrive, and the clocks of two machines differ a little.
+// How far a stamp may be in the past: a message takes time to arrive, and the clocks of two machines differ a little.
 constexpr double kLongestPast = 1.0;  // s
 
 // A stamp that is further ahead comes from another clock, or it is garbage.
@@ -20,7 +20,7 @@ std::chrono::nanoseconds waitBeforeStart(const ros::Time& stamp, const ros::Time
   if (stamp.isZero()) {
     return std::chrono::nanoseconds(0);
   }
-  // Seconds are subtracted, because subtracting two ros::Time more than 68 years apart throws.
+  // Seconds are subtracted, because a difference of two ros::Time more than 68 years apart throws.
   const double wait = stamp.toSec() - now.toSec();
   if (wait < -kLongestPast || wait > kLongestWait) {
     throw aibo_client::InvalidArgumentException(

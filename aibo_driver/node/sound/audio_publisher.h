@@ -10,7 +10,7 @@
 namespace aibo_driver::node {
 
 /// Publishes what the robot hears as `audio`, for the nodes of audio_common: 16 bits, little-endian, channels in turn.
-/// These messages cannot say that sound is missing, so a gap of up to a second is filled with silence. A longer one
+/// These messages cannot say that sound is missing, so a gap of up to a second is filled with silence. A longer gap
 /// shows only in the stamps. Any thread may call any function.
 class AudioPublisher {
  public:
@@ -18,7 +18,7 @@ class AudioPublisher {
 
   virtual bool hasSubscribers() const = 0;
 
-  /// It never blocks.
+  /// Publishes a piece of sound. It never blocks.
   virtual void publish(const Sound& sound) = 0;
 };
 

@@ -17,11 +17,11 @@
 
 namespace aibo_driver::node {
 
-/// Publishes what the robot hears, as `microphone`, and as `audio` if there is audio_common_msgs. The robot's
-/// microphones are on only while one of the topics has a subscriber. Any thread may call any function.
+/// Publishes what the robot hears, as `microphone`, and as `audio` if the driver was built with audio_common_msgs. The
+/// robot's microphones are on only while one of the topics has a subscriber. Any thread may call any function.
 class MicrophonePublisher {
  public:
-  static constexpr std::uint32_t kQueueSize = 64;  ///< messages; a second
+  static constexpr std::uint32_t kQueueSize = 64;  ///< messages, which last for a second
 
   /// @param handle the driver's namespace
   /// @param robot_clock must outlive the publisher; if it is null, the stamp of a message is its time of arrival
@@ -32,10 +32,10 @@ class MicrophonePublisher {
   /// @param listen must not block
   void start(std::function<void(const aibo_client::MicrophoneSettings&)> listen);
 
-  /// After it returns, `listen` is not running and is not called any more.
+  /// Stops the calls of `listen`. After this function returns, `listen` is not running and is not called any more.
   void stop();
 
-  /// It never blocks.
+  /// Publishes a piece of sound. It never blocks.
   void publish(const aibo_client::HeardSound& sound);
 
   bool hasSubscribers() const;
@@ -44,7 +44,7 @@ class MicrophonePublisher {
   void subscribersChanged();
 
   const std::string frame_id_;
-  const aibo_client::MicrophoneSettings settings_;  ///< while it is on
+  const aibo_client::MicrophoneSettings settings_;  ///< the settings while the microphones are on
   RobotStamper stamper_;
   std::mutex mutex_;
   std::function<void(const aibo_client::MicrophoneSettings&)> listen_;  ///< empty unless start() was called

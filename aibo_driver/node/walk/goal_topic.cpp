@@ -23,7 +23,7 @@ void GoalTopic::subscribe(const ros::NodeHandle& handle) {
   subscriber_ = topics.subscribe<PoseStamped>("goal", kNewest, receive);
 }
 
-// A goal that is refused leaves the walk to the goal before it as it is.
+// If the goal is refused, the walk to the goal before it goes on.
 void GoalTopic::receive(const PoseStamped& goal, const movement::Order& order) {
   GoalWalks::Walk walk = walks_.begin(goal, order);
   if (walk.begun().ended() == nullptr) {

@@ -14,7 +14,7 @@ namespace aibo_driver::node {
 
 /// The topic goal. The robot walks to the newest goal.
 ///
-/// Only one thread at a time may use it.
+/// Only one thread at a time may use an object of this class.
 class GoalTopic {
  public:
   /// @param walks must outlive the object

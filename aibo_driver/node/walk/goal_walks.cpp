@@ -19,7 +19,7 @@ namespace {
 constexpr double kOldestStamp = 0.5;      // s
 constexpr double kUnitTolerance = 0.1;    // of the length of an orientation
 constexpr double kCloser = 0.01;          // m
-constexpr double kMetresForRadian = 0.2;  // what a radian counts, compared with the distance
+constexpr double kMetresForRadian = 0.2;  // the distance that counts as much as a radian
 
 bool isFinite(const geometry_msgs::Pose& pose) {
   return std::isfinite(pose.position.x) && std::isfinite(pose.position.y) && std::isfinite(pose.position.z) &&
@@ -27,7 +27,7 @@ bool isFinite(const geometry_msgs::Pose& pose) {
          std::isfinite(pose.orientation.w);
 }
 
-// Also of a quaternion whose length is not quite 1.
+// The yaw of a quaternion, whose length need not be quite 1.
 double yawOf(const geometry_msgs::Quaternion& turn) {
   return std::atan2(2 * (turn.w * turn.z + turn.x * turn.y),
                     turn.w * turn.w + turn.x * turn.x - turn.y * turn.y - turn.z * turn.z);
@@ -71,7 +71,7 @@ GoalWalks::Walk GoalWalks::begin(const geometry_msgs::PoseStamped& goal, const m
   }
 }
 
-// In the frame odom.
+// The goal in the frame odom.
 walk::PlanePose GoalWalks::goalIn(const geometry_msgs::PoseStamped& goal) const {
   walk::PlanePose pose = poseIn(goal.pose);
   const double age = goal.header.stamp.isZero() ? 0 : ros::Time::now().toSec() - goal.header.stamp.toSec();

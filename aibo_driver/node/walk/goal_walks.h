@@ -17,16 +17,16 @@ namespace aibo_driver::node {
 
 /// Walks to goals, by odometry. Everything else that happens to the robot ends a walk, and nothing resumes it.
 ///
-/// Only one thread at a time may use it.
+/// Only one thread at a time may use an object of this class.
 class GoalWalks {
  public:
   /// The time between two calls of Walk::advance().
   static constexpr std::chrono::milliseconds kPeriod{100};
 
-  /// A goal that is farther away is refused. Odometry would have lost its way by then.
+  /// The farthest goal that is not refused. On a longer way, odometry would lose its way.
   static constexpr double kFarthest = 20;  ///< m
 
-  /// A walk that has come no closer to its goal for this long is stopped.
+  /// How long a walk may come no closer to its goal before it is stopped.
   static constexpr std::chrono::seconds kPatience{20};
 
   /// Returns where the robot is in the frame odom. The result is empty if the robot has not said so for a while.
@@ -47,7 +47,7 @@ class GoalWalks {
 
     const movement::Mover::Answer& begun() const { return begun_; }
 
-    /// What was left of the way at the last call of advance().
+    /// How much of the way was left at the last call of advance().
     double distanceLeft() const { return distance_left_; }  ///< m
     double turnLeft() const { return turn_left_; }          ///< rad
 
@@ -69,7 +69,7 @@ class GoalWalks {
     std::optional<movement::SteadyTime> closer_at_;
   };
 
-  /// Begins to walk to a goal. This ends other walks. A goal that cannot be walked to is refused: the walk has ended.
+  /// Begins to walk to a goal, and ends other walks. If the goal cannot be walked to, the walk has ended as refused.
   Walk begin(const geometry_msgs::PoseStamped& goal, const movement::Order& order);
 
  private:

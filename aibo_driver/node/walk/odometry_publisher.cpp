@@ -11,9 +11,9 @@ namespace aibo_driver::node {
 namespace {
 
 constexpr std::uint32_t kOdomQueueSize = 10;
-constexpr std::uint32_t kTfQueueSize = 100;  // robot_state_publisher has the same queue size
+constexpr std::uint32_t kTfQueueSize = 100;  // the same size as in robot_state_publisher
 
-// The standard deviation of a velocity, as a part of that velocity, and at rest. Both are our choice, like those of
+// The standard deviation of a velocity, as a part of that velocity, and its value at rest. Both are our choice, as in
 // Odometry.
 constexpr double kVelocityError = 0.15;
 constexpr double kRestError = 0.001;  // m/s, rad/s

@@ -23,13 +23,13 @@ namespace aibo_driver::node {
 nav_msgs::Odometry toMessage(const walk::Odometry& odometry, const aibo_client::WalkVelocity& velocity);
 
 /// Publishes the topic odom for a robot that reports how it walks. If wanted, it also publishes odom to base_footprint
-/// in tf; a robot that does not walk then stands where it began. Both have the stamp of the measurement, like all other
+/// in tf; a robot that cannot walk then stays where it began. Both have the stamp of the measurement, like all other
 /// frames that come from it.
 ///
 /// Only one thread at a time may use it, except for here().
 class OdometryPublisher {
  public:
-  /// All arguments but the handle must outlive the object.
+  /// All arguments except the handle must outlive the object.
   OdometryPublisher(const ros::NodeHandle& handle, const DriverParameters& parameters, RobotStamper& stamper);
 
   /// Call this when the robot has measured something.
@@ -41,8 +41,8 @@ class OdometryPublisher {
   /// Call this when the robot reports its posture.
   void update(const aibo_client::MotorsAndPosture& state) { walked_.update(state); }
 
-  /// Where the robot is in the frame odom. The result is empty if it has not said so within kFresh. Any thread may call
-  /// this.
+  /// Where the robot is in the frame odom. The result is empty if the robot has not said so within kFresh. Any thread
+  /// may call this function.
   std::optional<walk::PlanePose> here() const;
 
  private:
@@ -56,7 +56,7 @@ class OdometryPublisher {
   walk::WalkOdometry walked_;
   ros::Publisher odom_;
   ros::Publisher tf_;
-  mutable std::mutex mutex_;  ///< guards what follows
+  mutable std::mutex mutex_;  ///< guards the members below
   walk::PlanePose here_;
   std::optional<std::chrono::steady_clock::time_point> measured_;
 };

@@ -42,7 +42,7 @@ void WalkCommander::receive(const Twist& message, const movement::Order& order) 
   }
   const aibo_client::WalkVelocity wanted{message.linear.x, message.linear.y, message.angular.z};
   mover_.steer(order, walk::velocityToSend(wanted, settings_, client_.status().robot.walk_limits));
-  timer_.stop();  // a timer that has run out starts again only if it has been stopped
+  timer_.stop();  // a timer that has run out does not start again unless it was stopped
   if (!wanted.isZero()) {
     timer_.start();
   }

@@ -15,10 +15,10 @@
 
 namespace aibo_driver::node {
 
-/// The topic cmd_vel. The robot walks with the newest velocity, within the limits. It stops when no velocity has come
-/// for a while. Only the velocities forward, to the left and around the vertical axis count.
+/// The topic cmd_vel. The robot walks with the newest velocity, within the limits. The robot stops when no velocity has
+/// come for a while. Only the velocities forward, to the left and around the vertical axis count.
 ///
-/// Only one thread at a time may use it.
+/// Only one thread at a time may use an object of this class.
 class WalkCommander {
  public:
   /// All arguments must outlive the commander.
