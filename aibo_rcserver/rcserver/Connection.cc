@@ -8,7 +8,7 @@
 namespace {
 
 // Size of the IPStack's send buffer: slightly more than a part (Internet Protocol Version4, 1.3: 10 KB for packets of 8
-// KB). A client that stops reading for a while gets these old bytes first, so the buffer holds only two or three
+// KB). A client that has stopped reading for a while first gets these old bytes, so the buffer holds only two or three
 // pictures.
 const size_t ENDPOINT_POOL_SIZE = 10 * 1024;
 

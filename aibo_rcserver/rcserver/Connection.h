@@ -34,7 +34,7 @@ class Connection {
 
   Connection();
 
-  /// Gets the shared buffer. Call in DoInit, before anything else.
+  /// Gets the shared buffer. Call this in DoInit, before anything else.
   /// @param object whose entries ListenCont, SendCont, ReceiveCont and CloseCont are called
   /// @return false if the IPStack has no memory for it
   bool Create(OID object);
@@ -57,9 +57,9 @@ class Connection {
   /// The answer to Listen(): a client is connected.
   void Accepted(const TCPEndpointListenMsg& answer);
 
-  /// Begins to close; if the IPStack refuses, the connection counts as closed.
-  /// @param abort true: with a reset, for a client that is turned away or considered dead; false: data already sent
-  ///   still arrives
+  /// Begins to close the connection. If the IPStack refuses, the connection counts as closed.
+  /// @param abort true: reset the connection, for a client that is turned away or considered dead; false: data already
+  ///   sent still arrives
   /// @param now OPEN-R frame
   void Close(bool abort, longword now);
 
@@ -103,7 +103,7 @@ class Connection {
   /// Marks all received bytes as taken.
   void TakeReceived() { client_.received_begin = client_.received_end; }
 
-  /// True if a client has connected since Listen().
+  /// True if a client has connected since the last call of Listen().
   bool HadClient() const { return client_.name[0] != '\0'; }
 
   /// The client's address as a number; 127.0.0.1 is 0x7f000001.
@@ -115,7 +115,7 @@ class Connection {
  private:
   enum State { CLOSED, LISTENING, CONNECTED, CLOSING };
 
-  // What is known of the client. Everything is 0 until one has connected.
+  // What is known about the client. Everything is 0 until a client has connected.
   struct Client {
     bool sending;
     bool is_sending_picture;

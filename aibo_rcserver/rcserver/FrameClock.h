@@ -5,12 +5,12 @@
 
 #include "robot_model/robot_model.h"
 
-/// The present frame is the last one reported, plus the time since then. So it goes on while the robot's program
-/// stalls, and frames are reported late. It never goes back, although frames may be reported that are older than it.
+/// The present frame is the last one reported, plus the time since then. So it advances while the robot's program
+/// stalls and frames are reported late. It never goes back, although a frame that is reported may be older.
 ///
-/// It also notices that the program stalled: frames are reported every 40 ms at least, so a pause of LONGEST_PAUSE
-/// has no other reason. What clients have sent meanwhile waits in the IPStack, and arrives within CATCHING_UP. Both
-/// values are our choice.
+/// The clock also notices that the program stalled: frames are reported every 40 ms at least, so a pause of
+/// LONGEST_PAUSE has no other reason. What clients have sent during the pause waits in the IPStack, and arrives within
+/// CATCHING_UP. Both values are our choice.
 ///
 /// Times are in milliseconds, on a clock that runs on while the program stalls. Frames and times may overflow.
 class FrameClock {
@@ -21,7 +21,7 @@ class FrameClock {
   FrameClock()
       : has_frame_(false), frame_(0), reported_(0), present_(0), asked_(0), pause_ended_(0), catches_up_(false) {}
 
-  /// A frame was reported. Frames may be reported in any order.
+  /// Call this when a frame was reported. Frames may be reported in any order.
   void Report(unsigned frame, unsigned now) {
     Present(now);
     if (!has_frame_) {
@@ -38,7 +38,7 @@ class FrameClock {
   /// The last frame reported; 0 before the first report.
   unsigned Last() const { return frame_; }
 
-  /// The present frame; 0 before the first report. Call it before requests are handled.
+  /// The present frame; 0 before the first report. Call this before requests are handled.
   unsigned Present(unsigned now) {
     if (has_frame_) {
       const bool was_held_up = now - asked_ >= LONGEST_PAUSE;
@@ -57,9 +57,9 @@ class FrameClock {
 
  private:
   bool has_frame_;
-  unsigned frame_;     ///< the last one reported
-  unsigned reported_;  ///< when
-  unsigned present_;   ///< as last returned
+  unsigned frame_;     ///< the last frame reported
+  unsigned reported_;  ///< when it was reported
+  unsigned present_;   ///< the frame that Present() last returned
   unsigned asked_;     ///< when Present() was last called
   unsigned pause_ended_;
   bool catches_up_;

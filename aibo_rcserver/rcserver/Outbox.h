@@ -31,8 +31,8 @@ class NewestMessage {
 
   bool IsEmpty() const { return size_ == 0; }
 
-  /// Takes it out.
-  /// @param out room for it
+  /// Takes the message out.
+  /// @param out room for the message
   /// @return the number of bytes
   size_t Take(unsigned char* out) {
     const size_t size = size_;
@@ -82,8 +82,8 @@ class Outbox {
   static const size_t MAX_REFUSAL_SIZE =
       protocol::version2::FRAME_HEADER_SIZE + protocol::version2::MAX_ERROR_MESSAGE_SIZE;
 
-  /// Bytes of the messages before a reply: the ends of all orders, and the refusal of a motion whose file is being
-  /// read.
+  /// Bytes of the messages that may precede a reply: the ends of all orders, and the refusal of a motion whose file is
+  /// being read.
   static const size_t MAX_ENDS_SIZE =
       OrderBook::MAX_ENDS *
           (protocol::version2::FRAME_HEADER_SIZE + 4 + protocol::MAX_FILE_NAME_SIZE + 1 + OrderBook::MAX_TEXT_SIZE) +
@@ -115,7 +115,7 @@ class Outbox {
 
   void Clear();
 
-  /// True if there is ROOM. Ask before a request is handled, and before something is pushed: the largest push fits.
+  /// True if there is ROOM. Ask this before a request is handled, and before anything is pushed: the largest push fits.
   bool HasRoom() const { return replies_size_ + reserved_ + ROOM <= sizeof(replies_); }
 
   /// Reserves ROOM for one later reply, or releases it.

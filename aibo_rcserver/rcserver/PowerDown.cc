@@ -44,8 +44,8 @@ void PowerDown::CarryOut(longword now) {
   }
 }
 
-// The motors go off when the robot has lain down. No client commands it meanwhile, so it has lain down as soon as it
-// stops moving.
+// The motors go off when the robot has lain down. No client commands the robot any more, so it has lain down as soon as
+// it stops moving.
 void PowerDown::Continue(longword now) {
   if (!IsOrdered()) {
     return;
@@ -81,7 +81,7 @@ void PowerDown::LieDown(longword now) {
 void PowerDown::SwitchOff() {
   const bool reboots = order_ == POWER_REBOOT;
   if (!reboots) {
-    order_ = POWER_SHUT_DOWN;  // it has lain down
+    order_ = POWER_SHUT_DOWN;  // the robot has lain down
   }
   if (!body_->SwitchOff(reboots)) {
     order_ = POWER_STAYS_ON;

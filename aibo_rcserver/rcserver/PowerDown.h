@@ -9,49 +9,49 @@
 #include "rcserver/requests/Robot.h"
 
 /// Carries out an order to switch the robot off or to reboot it. A client, the pause button or a low battery gives the
-/// order. The motors go off at once, unless the robot has to lie down. The robot lies down or goes off when the client
-/// has been informed and has gone.
+/// order. The motors go off at once, unless the robot has to lie down. After the client has been informed and has gone,
+/// the robot lies down or goes off.
 ///
 /// Times are OPEN-R frames.
 class PowerDown {
  public:
-  /// If the robot has not lain down after this many frames, its motors go off anyway: 10 s, twice what lying down takes
-  /// from any posture or walk.
+  /// If the robot has not lain down after this many frames, its motors go off anyway: 10 s, twice the time that it
+  /// takes to lie down from any posture or walk.
   static const longword LYING_DOWN_FRAMES = 1250;
 
-  /// Longest time, in frames, that a shutdown waits for the memory stick: 3 s, our choice. A file that is being
-  /// replaced could be lost otherwise.
+  /// Longest time, in frames, that a shutdown waits for the memory stick: 3 s, our choice. Without this wait, a file
+  /// that is being replaced could be lost.
   static const longword FILE_FRAMES = 375;
 
-  /// @param files must outlive this
+  /// @param files must outlive the object
   explicit PowerDown(const FileDesk& files)
       : files_(files), body_(NULL), order_(POWER_STAYS_ON), is_noted_(false), noted_since_(0), lies_down_since_(0) {}
 
-  /// Call once, before all other functions but Order().
-  /// @param body must outlive this
+  /// Call this once, before all other functions except Order().
+  /// @param body must outlive the object
   void Begin(Body* body) { body_ = body; }
 
   /// The order in force. A client's requests set it.
   PowerOrder& Order() { return order_; }
 
-  /// True if the robot goes off. Nobody commands it any more.
+  /// True if the robot is going off, so that nobody commands it any more.
   bool IsOrdered() const { return order_ != POWER_STAYS_ON; }
 
-  /// Gives the order that follows from an alarm. The console says so.
+  /// Gives the order that follows from an alarm, and says so on the console.
   /// @return the reason, for the client; NULL if nothing changes
   const char* Obey(PowerSupply::Alarm alarm);
 
-  /// Call when an order may have been given. The motors go off, unless the robot has to lie down.
+  /// Call this when an order may have been given. The motors go off, unless the robot has to lie down.
   void Note(longword now);
 
   /// True if a client that waits for the memory stick must be dropped.
   bool IsOverdue(longword now) const { return is_noted_ && now - noted_since_ >= FILE_FRAMES; }
 
-  /// Call when there is no client any more: the robot lies down or goes off, if this has been ordered.
+  /// Call this when there is no client any more: the robot lies down or goes off, if this has been ordered.
   void CarryOut(longword now);
 
-  /// Call in each frame without a client. The robot goes off when it has lain down and the memory stick's job is done,
-  /// or when these take too long.
+  /// Call this in each frame without a client. The robot goes off when it has lain down and the memory stick's job is
+  /// done, or when this takes too long.
   void Continue(longword now);
 
  private:

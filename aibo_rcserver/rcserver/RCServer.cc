@@ -87,7 +87,7 @@ OStatus RCServer::DoInit(const OSystemEvent&) {
   }
   body_ = new Body();
   power_down_.Begin(body_);
-  body_->Start(subject[sbjEffector], subject[sbjSpeaker]);  // they may be ready before DoStart()
+  body_->Start(subject[sbjEffector], subject[sbjSpeaker]);  // the gates may be ready before DoStart()
   settings_ = readSettingsFile(hostSettings());
   const Robot robot = {body_->Design(), body_->Joints(), body_->Motors(),     body_->Sensors(),
                        body_->Lights(), body_->Camera(), body_->Colors(),     body_->Hearing(),
@@ -253,7 +253,7 @@ void RCServer::SendCont(ANTENVMSG msg) {
     return;
   }
   signs_.last_sign_of_life = Now();
-  if (signs_.last_given != Now()) {  // it has waited until the client took something
+  if (signs_.last_given != Now()) {  // the bytes have waited until the client took others
     quiet_since_ = Now();
   }
   signs_.last_given = Now();
@@ -276,7 +276,7 @@ void RCServer::ReceiveCont(ANTENVMSG msg) {
     return;
   }
   if (answer->error != TCP_SUCCESS) {
-    // An orderly close is answered at once if the client has already closed.
+    // If the client has closed in an orderly way, the connection is closed in the same way, which takes no time.
     DropClient(ReasonOf(answer->error), answer->error != TCP_CONNECTION_CLOSED);
     return;
   }
@@ -297,7 +297,7 @@ void RCServer::CloseCont(ANTENVMSG msg) {
     return;
   }
   connection->Closed();
-  // If listening failed, another attempt now would fail, too. PassTime() tries again later.
+  // A new attempt to listen is left to PassTime(): if listening has failed, it would fail again now.
   if (connection->HadClient()) {
     ListenWhereClosed();
   }
@@ -333,7 +333,7 @@ void RCServer::ObservePower() {
   Obey(power_supply_.LookNow());
 }
 
-// A client is told first. DropClient() then carries out the order.
+// A client is told of the order first. DropClient() then carries it out.
 void RCServer::Obey(PowerSupply::Alarm alarm) {
   const char* const reason = power_down_.Obey(alarm);
   if (reason == NULL) {
@@ -419,7 +419,7 @@ void RCServer::Admit(Connection* newcomer) {
   ServeClient();
 }
 
-// After an outage of the radio, a client is often back before the robot knows that its old connection is dead.
+// True if the newcomer may be the client. After a radio outage, it often returns before the robot misses it.
 bool RCServer::MayBeClientAgain(const Connection& newcomer) const {
   return session_->ExpectsHeartbeat() && newcomer.ClientAddress() == client_->ClientAddress();
 }
@@ -438,8 +438,8 @@ void RCServer::NewcomerReceived(const TCPEndpointReceiveMsg& answer) {
   }
 }
 
-// A newcomer takes a client's place only with a whole request. Other newcomers wait for a frame, because the same
-// client may connect again before the server learns that its old connection has closed.
+// A newcomer takes a client's place only with a whole request. Other newcomers wait for a frame, because the client
+// itself may connect again before the server learns that its old connection has closed.
 void RCServer::CheckNewcomer() {
   if (newcomer_ == NULL) {
     return;
@@ -504,7 +504,7 @@ void RCServer::TurnAway(Connection* newcomer, const char* reason) {
   }
 }
 
-// A program that is not a client may try again without end, such as a web browser driven by a web page.
+// The console names few strangers, because a program such as a browser may try again without end.
 void RCServer::AbortStranger(Connection* stranger) {
   CloseNewcomer(stranger, true);
   ++strangers_;
@@ -633,7 +633,7 @@ void RCServer::OfferImage(OFbkImageVectorData* image_vector) {
   }
 }
 
-// Finds the kind of picture to make of this image. False if none is due.
+// Finds the kind of picture to make of this image; false if no picture is due.
 bool RCServer::FindOrder(PictureOrder* order) {
   // A picture that still waits is replaced by one of this newer image.
   if (!pictures_.TakeBack(order)) {
@@ -650,14 +650,14 @@ bool RCServer::IsSendingPicture() const {
   return client_->IsSendingPicture() || datagrams_.HasPicture() || !datagrams_.MaySend(Now());
 }
 
-// True if the client wants sound first and some sound waits or is needed. A client that gets no picture at all would
+// True if the client wants sound first and some sound waits or is needed. But a client that got no picture at all would
 // take the connection for dead.
 bool RCServer::SoundGoesFirst() const {
   return Now() - last_picture_ < LONGEST_PICTURE_WAIT && body_->Hearing().GoesFirst() &&
          (session_->SoundWaits() || body_->Voice().IsShort());
 }
 
-// While a picture is being sent, the next one would only wait behind it.
+// Begins the next picture unless one is being sent, because the next one would only wait behind it.
 void RCServer::BeginPicture() {
   if (client_ != NULL && !IsSendingPicture() && !SoundGoesFirst() && pictures_.MayBegin()) {
     pictures_.Begin();

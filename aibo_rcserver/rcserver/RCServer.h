@@ -25,12 +25,12 @@
 
 /// Serves the protocol (docs/protocol.md), versions 1 and 2, on TCP port 54321.
 ///
-/// All work happens in the entry points below. Each returns without waiting, because no joint is commanded while one
-/// runs. Two objects of a lower scheduling class do the work that takes longer than a frame: PictureEncoder encodes
-/// pictures, and FileKeeper reads and writes files.
+/// All work happens in the entry points below. They return without waiting, because no joint is commanded while one of
+/// them runs. Two objects of a lower scheduling class do the work that takes longer than a frame: PictureEncoder
+/// encodes pictures, and FileKeeper reads and writes files.
 ///
-/// Sound is processed here. A sound vector takes at most 0.2 ms. PictureEncoder could not deliver the speaker's next
-/// vector within 32 ms while it encodes a picture.
+/// This object also processes sound, because a sound vector takes at most 0.2 ms. PictureEncoder could not deliver the
+/// speaker's next vector within 32 ms while it encodes a picture.
 ///
 /// Time is counted in OPEN-R frames of 8 ms: the frame of the latest camera image or joint measurement.
 ///
@@ -38,8 +38,8 @@
 /// not commanded.
 ///
 /// The pause button cuts the motors and shuts the robot down. A low battery makes the robot lie down first
-/// (PowerSupply.h). While the robot walks or takes a posture, the pause button also makes it lie down first, because it
-/// would fall otherwise. A second press cuts the motors.
+/// (PowerSupply.h). While the robot walks or takes a posture, the pause button, too, makes it lie down first, because
+/// it would fall without its motors. A second press cuts the motors.
 class RCServer : public OObject {
  public:
   /// A client of version 2 that has sent nothing for this many frames is dropped: 5 s.
@@ -49,13 +49,13 @@ class RCServer : public OObject {
   static const longword FIRST_REQUEST_FRAMES = 250;
 
   /// A client of version 2 is asked for a sign when a newcomer from its address has sent a request. If it sends nothing
-  /// for this many frames, it loses its place: 0.3 s, our choice. A radio outage has ended such a connection. Over a
-  /// slow link, the question may arrive late. So the time begins again whenever the client has taken bytes that waited
-  /// in the IPStack.
+  /// for this many frames, it loses its place: 0.3 s, our choice. In this case, a radio outage has usually ended the
+  /// client's connection. Over a slow link, the question may arrive late. So the time begins again whenever the client
+  /// has taken bytes that waited in the IPStack.
   static const longword SIGN_FRAMES = 38;
 
-  /// Pictures wait for sound no longer than this many frames after the last one: 0.25 s. Clients give up a robot that
-  /// streams and sends no picture for 0.5 s.
+  /// Pictures wait for sound no longer than this many frames after the last picture: 0.25 s. Clients give up a robot
+  /// that streams and sends no picture for 0.5 s.
   static const longword LONGEST_PICTURE_WAIT = 31;
 
   /// A newcomer that may take the client's place gets this many frames for its first request: 0.5 s. Clients send the
@@ -154,7 +154,7 @@ class RCServer : public OObject {
   void BeginPicture();
   void UsePicture();
 
-  // What has been noticed of the client.
+  // What has been noticed about the client.
   struct Signs {
     explicit Signs(longword now)
         : admitted(now),
@@ -164,12 +164,12 @@ class RCServer : public OObject {
           is_announced(false),
           last_given(now) {}
 
-    longword admitted;             ///< frame in which it was admitted
-    longword last_bytes_received;  ///< from it
+    longword admitted;             ///< frame in which the client was admitted
+    longword last_bytes_received;  ///< frame in which bytes last came from it
     longword last_sign_of_life;
     longword last_not_over;  ///< last frame in which the session was not over
-    bool is_announced;       ///< the console has named it
-    longword last_given;     ///< frame in which the IPStack was given something for it
+    bool is_announced;       ///< the console has named the client
+    longword last_given;     ///< frame in which the IPStack was last given something for the client
   };
 
   Connection connections_[NUMBER_OF_CONNECTIONS];
@@ -177,9 +177,9 @@ class RCServer : public OObject {
   Connection* client_;    ///< the client's connection; NULL if there is no client
   Connection* newcomer_;  ///< a newcomer while there is a client; NULL if there is none
   longword newcomer_since_;
-  bool has_asked_;        ///< the client, for a sign: the newcomer has sent a request
+  bool has_asked_;        ///< the newcomer has sent a request, and the client was asked for a sign
   longword quiet_since_;  ///< frame in which the newcomer came, the client was asked, or last sent or took bytes
-  Body* body_;            ///< from DoInit to DoDestroy
+  Body* body_;            ///< exists from DoInit to DoDestroy
   PowerSupply power_supply_;
   FrameClock clock_;
   FileDesk file_desk_;
@@ -187,14 +187,14 @@ class RCServer : public OObject {
   HeldRegion<FileResult> file_;  ///< the file that is sent to the client
   PictureTaker pictures_;
   PictureDatagrams datagrams_;
-  ReportLimit reports_;  ///< for clients that connect and leave
+  ReportLimit reports_;  ///< limits reports on clients that connect and leave
   Settings settings_;
-  Session* session_;       ///< from DoInit to DoDestroy
+  Session* session_;       ///< exists from DoInit to DoDestroy
   longword last_picture_;  ///< when the last picture was sent
   Signs signs_;
   longword last_attempt_;   ///< frame of the last attempt to listen
-  unsigned strangers_;      ///< aborted since the last report on the console
-  longword last_stranger_;  ///< frame of the last report
+  unsigned strangers_;      ///< strangers whose connections were aborted since the last report on the console
+  longword last_stranger_;  ///< frame of the last report on strangers
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_RCSERVER_H

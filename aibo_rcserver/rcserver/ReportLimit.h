@@ -13,8 +13,8 @@ class ReportLimit {
 
   ReportLimit() : allowed_(BURST), refilled_(0), left_out_(0) {}
 
-  /// True if a line may be printed now. It first prints how many lines were left out before.
-  /// @param now in frames
+  /// True if a line may be printed now. If lines were left out before, it first prints how many.
+  /// @param now the present frame
   bool Admits(longword now) {
     const longword periods = (now - refilled_) / PERIOD;
     if (allowed_ + periods >= BURST) {

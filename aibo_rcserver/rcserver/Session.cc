@@ -88,8 +88,8 @@ size_t Session::EncodePictureHeader(const PictureOrder& order, const protocol::v
   return encode(header, out) + image_header_size;
 }
 
-// Handles reports and the content of an upload before new requests. False if new requests have to wait, so that replies
-// of version 1 keep their order.
+// Handles reports and the content of an upload before new requests. Returns false if new requests have to wait, so that
+// replies of version 1 keep their order.
 bool Session::MayHandle() {
   if (talk_.version == protocol::version2::VERSION) {
     version2_.PushReports();
@@ -100,7 +100,7 @@ bool Session::MayHandle() {
   return talk_.has_input && !IsEnding() && outbox_.HasRoom() && !(talk_.version == 1 && files_.IsPending());
 }
 
-// False if there is no complete request, or if it has to wait.
+// Returns false if there is no complete request, or if it has to wait.
 bool Session::HandleRequest() {
   talk_.has_request = talk_.has_request || talk_.input.next(&talk_.request);
   talk_.has_input = talk_.has_request && !MayBeHttp();
@@ -131,7 +131,7 @@ bool Session::AsksForVersion2() const {
          talk_.request.basic.identifier == protocol::version2::VERSION;
 }
 
-// Bytes after the request belong to version 2.
+// Changes to version 2. The bytes after the request belong to version 2 already.
 void Session::ChangeToVersion2() {
   unsigned char message[protocol::VALUE_REPLY_SIZE];
   protocol::encodeValueReply(protocol::version2::versionReply(), message);
@@ -139,7 +139,7 @@ void Session::ChangeToVersion2() {
   talk_.version = protocol::version2::VERSION;
 }
 
-// False if there is no complete frame, or if it is too large, which ends the session.
+// Returns false if there is no complete frame, or if it is too large, which ends the session.
 bool Session::HandleFrame(unsigned now) {
   size_t taken = 0;
   const FrameReader::Result result = frame_reader_.append(talk_.input.waiting(), talk_.input.waitingSize(), &taken);

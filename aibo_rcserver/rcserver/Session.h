@@ -33,8 +33,8 @@ class Session {
   static const size_t MAX_PICTURE_HEADER_SIZE =
       protocol::version2::FRAME_HEADER_SIZE + protocol::version2::IMAGE_HEADER_SIZE;
 
-  /// @param robot whose parts must outlive this
-  /// @param settings what clients may do; must outlive this
+  /// @param robot the robot, whose parts must outlive the object
+  /// @param settings what clients may do; must outlive the object
   /// @param newest_version newest version of the protocol that a client may ask for, 1 or 2
   Session(const Robot& robot, const Settings& settings, int newest_version);
 
@@ -51,8 +51,8 @@ class Session {
   /// Adds received bytes. Call it only if WantsInput().
   void AddInput(const unsigned char* bytes, size_t size);
 
-  /// True if the first bytes are not a client's (Opening). No more requests are handled; the connection must be
-  /// dropped.
+  /// True if no client begins with the bytes that came first (Opening). No more requests are handled, and the
+  /// connection must be dropped.
   bool IsWithStranger() const { return talk_.is_stranger || talk_.opening.verdict() == protocol::Opening::STRANGER; }
 
   /// True if the client has sent at least one whole request.
@@ -63,26 +63,26 @@ class Session {
   /// @param now the present OPEN-R frame
   void HandleRequests(unsigned now);
 
-  /// Call when FileKeeper has done a job. A result that no request waits for is ignored.
+  /// Call this when FileKeeper has done a job. A result that no request waits for is ignored.
   /// @param now the present OPEN-R frame
   void FileDone(const FileResult& result, unsigned now);
 
-  /// Call when the picture of an order for the memory stick has been made.
+  /// Call this when the picture of an order for the memory stick has been made.
   void PictureTaken(const unsigned char* jpeg, size_t size) {
     version2_.Stick().PictureTaken(jpeg, size);
     outbox_.Reserve(files_.IsPending());
   }
 
   /// Ends the session because the robot goes off. A client of version 2 gets the reason.
-  /// @param reason in words; must outlive this
+  /// @param reason the reason in words; must outlive the object
   void RobotGoesOff(const char* reason);
 
   /// Asks a client of version 2 for a sign of life: it answers an empty `h` at once.
   /// @return false if there is no room for the question
   bool AskForSign() { return version2_.AskForSign(); }
 
-  /// All joints have been measured.
-  /// @param frame in which
+  /// Call this when all joints have been measured.
+  /// @param frame the frame in which they were measured
   void Measured(unsigned frame);
 
   /// @name What a client of version 2 has asked for: colours, sound, and a file that must be sent
@@ -111,7 +111,7 @@ class Session {
   /// Why the session is over.
   const char* EndReason() const { return talk_.is_over ? "it broke the protocol" : talk_.power_reason; }
 
-  /// True if a silent client has to be dropped (version 2).
+  /// True if a client that is silent has to be dropped, as in version 2.
   bool ExpectsHeartbeat() const { return talk_.version == protocol::version2::VERSION; }
 
   ImageObserver& Camera() { return camera_; }
@@ -130,7 +130,7 @@ class Session {
   void ChangeToVersion2();
   bool HandleFrame(unsigned now);
 
-  // What belongs to one client.
+  // What belongs to the session with one client.
   struct Talk {
     Talk()
         : version(1),
@@ -148,9 +148,9 @@ class Session {
     protocol::Opening opening;
     bool is_stranger;
     bool has_requested;
-    protocol::RequestReader input;  ///< of both versions
+    protocol::RequestReader input;  ///< used in both versions
     protocol::Request request;
-    bool has_request;  ///< request waits until it is clear that it is not HTTP
+    bool has_request;  ///< the request waits until it is clear that it is not HTTP
     bool has_input;    ///< there are unhandled bytes, possibly complete requests
   };
 

@@ -6,12 +6,12 @@
 #include <OPENR/OPENR.h>
 #include <ant.h>
 
-/// The IPStack sends and receives only in such memory (Internet Protocol Version4, "Creating shared memory buffers").
+/// Memory in which the IPStack can send and receive (Internet Protocol Version4, "Creating shared memory buffers").
 class SharedBuffer {
  public:
   SharedBuffer() : bytes_(NULL) {}
 
-  /// Gets the memory. Call in DoInit.
+  /// Gets the memory. Call this in DoInit.
   /// @return false if the IPStack has no memory for it
   bool Create(const antStackRef& stack, size_t size) {
     antEnvCreateSharedBufferMsg create(static_cast<uint32>(size));
@@ -26,7 +26,7 @@ class SharedBuffer {
     return true;
   }
 
-  /// Returns the memory, if there is any. The IPStack refuses while a client is connected. That does no harm, because
+  /// Returns the memory, if there is any. While a client is connected, the IPStack refuses. This does no harm, because
   /// the robot is going off.
   void Destroy(const antStackRef& stack) {
     if (bytes_ == NULL) {

@@ -4,8 +4,8 @@
 
 #include <MCOOP.h>
 
-/// The time of a clock that runs on while the robot's program stalls. Tekkotsu takes its time from the same call.
-/// It overflows after 49 days.
+/// The time of a clock that runs on while the robot's program stalls. Tekkotsu takes its time from the same call. The
+/// result overflows after 49 days.
 inline unsigned SystemMilliseconds() {
   SystemTime time;
   GetSystemTime(&time);

@@ -60,7 +60,7 @@ void Body::EffectorIsReady() {
   SendCommands();
 }
 
-// False if no vector can be sent, or nothing has to be commanded.
+// Sends the next vector. False if none can be sent, or if nothing has to be commanded.
 bool Body::SendVector() {
   const bool joints_are_due = joint_driver_.HasCommand();
   RCRegion* const vector = joints_are_due || light_driver_.HasCommand() ? vectors_.Next() : NULL;
@@ -132,7 +132,7 @@ WalkGuard::Reading Body::LookAround() {
   return reading;
 }
 
-// 0 if there is no such sensor, or if it has not measured yet.
+// The sensor's value; 0 if there is no such sensor, or if it has not measured yet.
 double Body::Measured(const char* sensor) const {
   const int found = findSensorByName(model_, sensor);
   return found == robot_model::NO_SENSOR ? 0 : sensor_driver_.Value(found) * 1e-6;

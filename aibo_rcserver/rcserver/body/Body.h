@@ -18,20 +18,20 @@
 
 /// Opens the joints, sensors, LEDs and ears in the table of the robot's design, and sends commands to them.
 ///
-/// Commands are sent only while something changes. Otherwise, joints and LEDs keep the state that was last commanded,
-/// and the first new command is output from the next frame on. Commands to LEDs and ears share vectors with those to
-/// joints and delay none.
+/// Commands are sent only while something changes. Without commands, joints and LEDs keep the state that was last
+/// commanded, and the first new command is output from the next frame on. Commands to LEDs and ears share vectors with
+/// those to joints and delay none.
 class Body {
  public:
   /// Opens everything. Parts that do not open are left out, and the console says why. A robot whose design has no table
   /// has no parts.
   Body();
 
-  /// Call in DoInit.
-  /// @param effector, speaker gates to OVirtualRobotComm.Effector and OVirtualRobotAudioComm.Speaker; must outlive this
+  /// Call this in DoInit.
+  /// @param effector, speaker gates to OVirtualRobotComm.Effector and OVirtualRobotAudioComm.Speaker; must outlive it
   void Start(OSubject* effector, OSubject* speaker);
 
-  /// The design's name, as OPEN-R has it.
+  /// The name of the robot's design in OPEN-R.
   const char* Design() const { return design_; }
 
   JointControl& Joints() { return joint_driver_.Joints(); }
@@ -43,10 +43,10 @@ class Body {
   Microphone& Hearing() { return microphone_; }
   Speaker& Voice() { return speaker_; }
 
-  /// Sends the next command vectors if they are due and the robot can take them. Call it after every command.
+  /// Sends the next command vectors if they are due and the robot can take them. Call this after every command.
   void SendCommands();
 
-  /// Call on READY: sends the next vectors.
+  /// Call this on READY: it sends the next vectors.
   void EffectorIsReady();
 
   /// Reads the reports of joints and sensors. A robot that has fallen stops walking, and its motors go off if it stays
@@ -58,8 +58,8 @@ class Body {
   /// Switches the motors off at once, even while the joints move.
   void CutMotors();
 
-  /// Switches the motors off, then shuts the robot down. A button press boots it again; with `reboots`, it boots by
-  /// itself.
+  /// Switches the motors off, then shuts the robot down. A button press boots the robot again; with `reboots`, it boots
+  /// by itself.
   /// @return false if the robot refuses; the console says so
   bool SwitchOff(bool reboots);
 

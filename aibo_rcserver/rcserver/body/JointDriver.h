@@ -19,7 +19,7 @@
 class JointDriver : public MotorSwitch {
  public:
   /// Opens the joints. If one does not open, the robot is treated as having no joints, and the console says why.
-  /// @param robot must outlive this
+  /// @param robot must outlive the object
   explicit JointDriver(const robot_model::RobotModel& robot);
   virtual ~JointDriver() {}
 
@@ -32,14 +32,14 @@ class JointDriver : public MotorSwitch {
   bool HasCommand() const;
 
   /// Adds commands to all joints.
-  /// @param vector of CommandVectors
+  /// @param vector one of the CommandVectors
   void Fill(RCRegion* vector);
 
-  /// Call after the filled vector has been sent.
-  /// @param vectors_ahead number of vectors sent before it whose output is not complete
+  /// Call this after the filled vector has been sent.
+  /// @param vectors_ahead number of vectors that were sent earlier and whose output is not complete
   void Sent(int vectors_ahead);
 
-  /// Call when the output of the oldest sent vector is complete, even if it was not filled here.
+  /// Call this when the output of the oldest sent vector is complete, even if it holds no joints.
   void OutputIsComplete();
 
   /// Passes the joints' reports to JointControl.
@@ -66,7 +66,7 @@ class JointDriver : public MotorSwitch {
   const robot_model::RobotModel& robot_;
   JointControl joints_;
   State state_;
-  int vectors_until_gains_;  ///< in GOING_ON: vectors that must be output first; 0 if none has been sent
+  int vectors_until_gains_;  ///< in GOING_ON: how many vectors must be output first; 0 if none has been sent
   int commanded_[robot_model::MAX_JOINTS];
   longword now_;  ///< frame of the last report
 };

@@ -26,7 +26,7 @@ OCommandValue CommandOf(const LightDriver::LedState& state, robot_model::LedKind
   return command;
 }
 
-// Ears are commanded frame by frame. JOINT_COMMAND3 has the state in the same place, but no period.
+// Ears are commanded frame by frame. JOINT_COMMAND3 has the state at the same offset, but has no period.
 OCommandValue CommandOf(bool is_drawn, robot_model::EarKind kind) {
   OCommandValue command;
   const word period = kind == EAR_JOINT4 ? 1 : 0;
@@ -128,7 +128,7 @@ void LightDriver::CommandLed(RCRegion* vector, int led) {
   data->value[0] = CommandOf(commanded_[led], kind);
 }
 
-// Resting ears are commanded too, so that an ear is released even if a command is lost.
+// Commands all ears, even those at rest, so that an ear is released even if a command is lost.
 void LightDriver::CommandEars(RCRegion* vector) {
   OCommandData* data[MAX_EARS] = {};
   for (int i = 0; i < robot_.number_of_ears; ++i) {

@@ -28,11 +28,11 @@ class LightDriver {
 
   static const int EAR_FRAMES = 16;  ///< how long an ear is drawn, and how long it then rests
 
-  /// All LEDs are off, and all ears are released.
-  /// @param robot must outlive this
+  /// At first, all LEDs are off, and all ears are released.
+  /// @param robot must outlive the object
   explicit LightDriver(const robot_model::RobotModel& robot);
 
-  /// Opens LEDs and ears. One that does not open is never commanded, and the console names it.
+  /// Opens LEDs and ears. A part that does not open is never commanded, and the console names it.
   void Open();
 
   const robot_model::RobotModel& Robot() const { return robot_; }
@@ -41,7 +41,7 @@ class LightDriver {
   int FindLed(int identifier) const { return findLedByIdentifier(robot_, identifier); }
   int FindEar(int identifier) const { return findEarByIdentifier(robot_, identifier); }
 
-  /// @return the state that the LED can show
+  /// @return the state that the LED shows, which may differ from the wanted one
   LedState SetLed(int led, const LedState& wanted);
   const LedState& Led(int led) const { return leds_[led]; }
 
@@ -55,11 +55,11 @@ class LightDriver {
   /// True if an LED or ear must be commanded.
   bool HasCommand() const;
 
-  /// Adds all commands to a vector. CommandVectors::FRAMES frames pass for the ears.
-  /// @param vector of CommandVectors
+  /// Adds all commands to a vector. For the ears, CommandVectors::FRAMES frames pass.
+  /// @param vector one of the CommandVectors
   void Fill(RCRegion* vector);
 
-  /// One frame passes for the ears.
+  /// Call this when one frame has passed, to time the ears.
   void NextFrame();
 
  private:
@@ -73,8 +73,8 @@ class LightDriver {
   Primitives led_primitives_;
   Primitives ear_primitives_;
   LedState leds_[robot_model::MAX_LEDS];
-  LedState commanded_[robot_model::MAX_LEDS];  ///< as each LED was last commanded
-  int frames_busy_[robot_model::MAX_EARS];     ///< frames left until the ear can be drawn; it rests in the last ones
+  LedState commanded_[robot_model::MAX_LEDS];  ///< the last command to each LED
+  int frames_busy_[robot_model::MAX_EARS];     ///< frames until the ear can be drawn again, with those of its rest
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_BODY_LIGHT_DRIVER_H

@@ -11,8 +11,8 @@ const int CHANNELS = 2;
 const unsigned FULL_RATE = 16000;
 
 // A half-band low-pass filter against aliasing at 8 kHz. It attenuates by 20 dB from 4.6 kHz and by 43 dB from 5 kHz,
-// and passes frequencies below 3 kHz. These are the coefficients of the samples 1, 3, 5... before and after the middle
-// one, whose coefficient is a half. All others are 0. The window is Kaiser's with beta = 5. The sum is 32768.
+// and passes frequencies below 3 kHz. The coefficients belong to the samples 1, 3, 5... before and after the middle
+// one, whose own coefficient is a half. All others are 0. The window is Kaiser's with beta = 5. The sum is 32768.
 const int FACTORS[] = {10281, -3018, 1393, -652, 267, -79};
 const int MIDDLE_FACTOR = 16384;
 const int FACTOR_SHIFT = 15;
@@ -89,7 +89,7 @@ HeardSound Microphone::Convert(OSoundVectorData* vector, unsigned char* out) {
   return heard;
 }
 
-// The filtered value of the middle one of the last 23 samples.
+// The filtered value of the sample in the middle of the last 23.
 int Microphone::Filtered(int channel) const {
   const int* const last = last_[channel];
   const int middle = next_ + RING_SIZE - (2 * NUMBER_OF_FACTORS - 1);

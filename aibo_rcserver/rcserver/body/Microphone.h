@@ -13,13 +13,13 @@
 /// SoundRec).
 class Microphone {
  public:
-  /// Most samples of each channel that are converted in a vector: 64 ms. Further samples are left out.
+  /// Most samples of each channel that are converted in a vector: 64 ms. Further ones are left out.
   static const size_t MAX_SAMPLES = 1024;
 
   Microphone();
 
-  /// Call in DoStart. No sound is requested yet.
-  /// @param gate to OVirtualRobotAudioComm.Mic; must outlive this
+  /// Call this in DoStart. No sound is requested yet.
+  /// @param gate to OVirtualRobotAudioComm.Mic; must outlive the object
   void Start(OObserver* gate);
 
   bool IsOn() const { return (settings_.mode & protocol::version2::MICROPHONE_ON) != 0; }
@@ -33,11 +33,11 @@ class Microphone {
   /// Stops asking for sound.
   void ClientGone();
 
-  /// Call after a vector has been processed.
+  /// Call this after a vector has been processed.
   void AskForMore();
 
-  /// Converts a vector. Call it only if IsOn().
-  /// @param[out] out room for 4 * MAX_SAMPLES bytes: samples as they are sent
+  /// Converts a vector. Call this only if IsOn().
+  /// @param[out] out room for 4 * MAX_SAMPLES bytes; gets the samples as they are sent
   /// @return the header that precedes them
   protocol::version2::HeardSound Convert(OSoundVectorData* vector, unsigned char* out);
 

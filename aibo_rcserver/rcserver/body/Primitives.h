@@ -28,12 +28,12 @@ class Primitives {
   ~Primitives() { Close(); }
 
   /// Opens a primitive. If it does not open, the console names it.
-  /// @param row in the table, 0..MAX_ROWS - 1
-  /// @param name for the console
+  /// @param row the row in the table, 0..MAX_ROWS - 1
+  /// @param name the name for the console
   /// @return false if it does not open
   bool Open(int row, const char* name, const char* locator);
 
-  /// Closes all.
+  /// Closes all primitives.
   void Close();
 
   bool IsOpen(int row) const { return ids_[row] != oprimitiveID_UNDEF; }
@@ -52,15 +52,15 @@ class Primitives {
 /// Iterates over the reports in a sensor vector that come from the primitives of one table.
 class SensorReports {
  public:
-  /// Both must outlive this.
+  /// Both arguments must outlive the object.
   SensorReports(OSensorFrameVectorData* vector, const Primitives& primitives)
       : vector_(vector), primitives_(primitives), entry_(-1), row_(Primitives::NOT_OPEN) {}
 
-  /// Goes to the next report; the first call goes to the first one.
+  /// Goes to the next report, at the first call to the first one.
   /// @return false if there are no more
   bool Next();
 
-  /// The row in the table of the primitive that reports.
+  /// The table's row of the primitive that reports.
   int Row() const { return row_; }
 
   /// The last frame in the report.
@@ -79,12 +79,12 @@ class SensorReports {
 
   OSensorFrameVectorData* const vector_;
   const Primitives& primitives_;
-  int entry_;  ///< in the vector
+  int entry_;  ///< index in the vector
   int row_;
 };
 
-/// Command vectors. Each covers FRAMES frames of 8 ms. OPEN-R takes up to 16 frames in a vector, but with fewer, a new
-/// command takes effect sooner.
+/// Command vectors. Each covers FRAMES frames of 8 ms. OPEN-R takes up to 16 frames in a vector, but with fewer frames
+/// a new command takes effect sooner.
 class CommandVectors : public VectorPair {
  public:
   static const int FRAMES = 4;
@@ -103,7 +103,7 @@ class CommandVectors : public VectorPair {
   /// @param vector from Next()
   /// @param type such as odataJOINT_COMMAND2
   /// @param frames 1..FRAMES
-  /// @return where the commands go, one for each frame
+  /// @return the memory for the commands, one for each frame
   static OCommandData* Add(RCRegion* vector, ODataType type, OPrimitiveID primitive, int frames);
 };
 

@@ -8,12 +8,12 @@ namespace {
 
 const longword FRAMES_BETWEEN_POWER = 125;  // 1 s
 
-// The charge in millionths. OPEN-R has it in per cent.
+// The charge in millionths. OPEN-R gives it in per cent.
 int ChargeOf(const OPowerStatus& status) {
   return std::min<int>(status.remainingCapacity, 100) * 10000;
 }
 
-// The temperature in millionths of a degree Celsius. OPEN-R has it in tenths of a kelvin. Readings above 1000 K are
+// The temperature in millionths of a degree Celsius. OPEN-R gives it in tenths of a kelvin. Readings above 1000 K are
 // clamped, so that the result fits.
 int TemperatureOf(const OPowerStatus& status) {
   return (std::min<int>(status.temperature, 10000) * 2 - 5463) * 50000;

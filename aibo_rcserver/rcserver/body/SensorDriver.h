@@ -12,10 +12,10 @@
 /// in the robot's table. The battery is read once a second.
 class SensorDriver {
  public:
-  /// @param robot must outlive this
+  /// @param robot must outlive the object
   explicit SensorDriver(const robot_model::RobotModel& robot);
 
-  /// Opens the sensors. One that does not open never has a value, and the console names it.
+  /// Opens the sensors. A sensor that does not open never has a value, and the console names it.
   void Open();
 
   int NumberOfSensors() const { return robot_.number_of_sensors; }
@@ -27,7 +27,7 @@ class SensorDriver {
   /// False until the sensor has measured something.
   bool HasValue(int sensor) const { return has_value_[sensor]; }
 
-  /// 0 until the sensor has measured something.
+  /// The sensor's value; 0 until it has measured something.
   int Value(int sensor) const { return values_[sensor]; }
 
   /// Stores the values that the sensors report.

@@ -19,14 +19,14 @@ namespace {
 
 const int SPEAKER = 0;
 
-// On an ERS-210 it is in the head (the sample SoundPlay).
+// The speaker's locator on an ERS-7. An ERS-210 has its speaker in the head (the sample SoundPlay).
 const char LOCATOR[] = "PRM:/s1-Speaker:S1";
 const char LOCATOR_IN_HEAD[] = "PRM:/r1/c1/c2/c3/s1-Speaker:S1";
 
 const unsigned SAMPLES_PER_SECOND = 16000;
 const unsigned MOST_STARVED = protocol::version2::SPEAKER_TIMEOUT_MS * (SAMPLES_PER_SECOND / 1000);
 
-// Model Information ERS-7, 3.1.2.
+// The volume of each step (Model Information ERS-7, 3.1.2).
 const longword VOLUMES[MAX_VOLUME + 1] = {ospkvolinfdB, ospkvol25dB, ospkvol18dB, ospkvol10dB};
 
 // Positions may overflow, so only their differences are compared.
@@ -49,7 +49,7 @@ Speaker::Speaker() : vectors_(OPENR::DeleteSoundVectorData), volume_(VOLUME_OF_R
 const char* Speaker::Play(const PlayedSound& part) {
   const unsigned size = static_cast<unsigned>(part.samples_size / BYTES_PER_SAMPLE);
   if (size == 0 && !part.last) {
-    return NULL;  // a question
+    return NULL;  // the part without samples only asks for the progress
   }
   if (part.position == 0 && size == 0) {
     End(protocol::version2::END_STOPPED);
@@ -100,7 +100,7 @@ const char* Speaker::Add(const PlayedSound& part, unsigned size) {
   return NULL;
 }
 
-// Replaces a sample that has not come.
+// Adds a sample of silence in place of one that has not come.
 void Speaker::AddSilence() {
   samples_[sound_.end % SPEAKER_CAPACITY] = 0;
   ++sound_.end;
@@ -162,12 +162,12 @@ void Speaker::ClientGone() {
   number_of_ends_ = 0;
   if (volume_ != VOLUME_OF_ROBOT) {
     volume_ = VOLUME_OF_ROBOT;
-    Open();  // if it refuses now, the next sound sets the volume
+    Open();  // if the robot refuses now, the next sound sets the volume
   }
 }
 
 // Opens the speaker, unless it is already open, and sets its volume, because the robot's own switch may have moved. At
-// volume 0, it also mutes the speaker, which is our choice: -infinity dB should suffice.
+// volume 0, the speaker is also muted, which is our choice: -infinity dB should suffice.
 bool Speaker::Open() {
   if (!primitives_.IsOpen(SPEAKER)) {
     char design[orobotdesignNAME_MAX + 1] = "";
@@ -225,11 +225,11 @@ void Speaker::Send() {
   vectors_.Notify();
 }
 
-// Silence after the last sample does not count.
+// Silence after the last sample does not count as a gap.
 void Speaker::Fill(RCRegion* vector) {
   OSoundVectorData* const data = VectorIn(vector);
   OSoundInfo* const info = data->GetInfo(0);
-  // The guide says odataSOUND (page 63), but all of Sony's samples, which ran on robots, use this type.
+  // The guide names odataSOUND (page 63), but all of Sony's samples, which ran on robots, use this type.
   info->Set(odataSOUND_VECTOR, primitives_.Id(SPEAKER), VECTOR_SAMPLES * sizeof(short));
   info->format = osoundformatPCM;
   info->channel = osoundchannelMONO;

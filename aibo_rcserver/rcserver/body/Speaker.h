@@ -20,14 +20,14 @@ class Speaker {
 
   Speaker();
 
-  /// @param gate to OVirtualRobotAudioComm.Speaker; must outlive this
+  /// @param gate to OVirtualRobotAudioComm.Speaker; must outlive the object
   void Start(OSubject* gate) { vectors_.Start(gate); }
 
   /// Takes samples, or an order to stop.
-  /// @return NULL, or why they are not played; then nothing changes
+  /// @return NULL, or why the samples are refused; in that case nothing changes
   const char* Play(const protocol::version2::PlayedSound& part);
 
-  /// Number of samples that there is room for.
+  /// The number of samples that there is room for.
   unsigned Room() const;
 
   /// True if little of the present sound waits, and more is to come.
@@ -35,11 +35,11 @@ class Speaker {
     return sound_.is_playing && !sound_.has_last && Room() > protocol::version2::SPEAKER_CAPACITY / 2;
   }
 
-  /// Call on READY.
+  /// Call this on READY.
   void IsReady();
 
   /// Takes out the report of a sound that has ended.
-  /// @return false if none has
+  /// @return false if no sound has ended
   bool TakeEnd(protocol::version2::SoundEnd* end);
 
   /// @param step 0..MAX_VOLUME, or VOLUME_OF_ROBOT
@@ -58,8 +58,8 @@ class Speaker {
 
   struct Sound {
     bool is_playing;
-    bool has_last;          ///< the sound ends at end
-    int vectors_until_end;  ///< vectors to be output until the sound has ended, or 0
+    bool has_last;          ///< the sound ends at `end`
+    int vectors_until_end;  ///< how many vectors must be output until the sound has ended; 0 if it does not end yet
     unsigned begin;         ///< position of the next sample for a vector
     unsigned end;           ///< position after the last sample that waits
     bool is_in_gap;
@@ -82,8 +82,8 @@ class Speaker {
   Primitives primitives_;
   VectorPair vectors_;
   unsigned char volume_;                                 ///< set by a client, or VOLUME_OF_ROBOT
-  Sound sound_;                                          ///< the present one, or the last
-  short samples_[protocol::version2::SPEAKER_CAPACITY];  ///< each at its position, as a ring
+  Sound sound_;                                          ///< the present sound, or the last one
+  short samples_[protocol::version2::SPEAKER_CAPACITY];  ///< a ring, in which each sample has its place by its position
   protocol::version2::SoundEnd ends_[MOST_ENDS];
   int number_of_ends_;
 };

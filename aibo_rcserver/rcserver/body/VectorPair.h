@@ -8,9 +8,9 @@
 #include <OPENR/RCRegion.h>
 #include <stddef.h>
 
-/// Two vectors that take turns at a gate: one is filled while the other is output. Output begins with both, and each
-/// READY is answered with one more. So a vector always waits while another is output, and the answer to READY may take
-/// as long as a vector lasts (Level2 Reference Guide, page 44; the samples of the SDK do the same).
+/// Two vectors that take turns at a gate: one is filled while the other is output. Output begins with both vectors, and
+/// each READY is answered with one more. So a vector always waits while another is output, and the answer to READY may
+/// take as long as a vector lasts (Level2 Reference Guide, page 44; the samples of the SDK do the same).
 class VectorPair {
  public:
   static const int SIZE = 2;
@@ -34,7 +34,7 @@ class VectorPair {
     }
   }
 
-  /// @param gate to the object that outputs the vectors; must outlive this
+  /// @param gate to the object that outputs the vectors; must outlive the object
   void Start(OSubject* gate) { gate_ = gate; }
 
   /// Takes over a vector that OPEN-R has created.
@@ -50,7 +50,7 @@ class VectorPair {
   /// False if CONNECT.CFG connects the gate to nothing.
   bool IsConnected() const { return vectors_on_their_way_ > 0 || gate_->IsReady(); }
 
-  /// How many vectors have been sent whose output is not complete.
+  /// The number of vectors that were sent and whose output is not complete.
   int VectorsOnTheirWay() const { return vectors_on_their_way_; }
 
   /// The vector that is to be filled next.
@@ -72,7 +72,7 @@ class VectorPair {
     has_sent_ = true;
   }
 
-  /// Call after one or more Send().
+  /// Call this after one or more calls of Send().
   void Notify() {
     if (has_sent_) {
       has_sent_ = false;
@@ -80,7 +80,7 @@ class VectorPair {
     }
   }
 
-  /// Call on READY. The first READY follows no vector.
+  /// Call this on READY. No vector precedes the first READY.
   /// @return true if the output of the oldest vector is complete
   bool IsReady() {
     const bool is_complete = vectors_on_their_way_ > 0;
@@ -97,7 +97,7 @@ class VectorPair {
   MemoryRegionID memories_[SIZE];
   RCRegion* regions_[SIZE];
   int vectors_on_their_way_;
-  bool has_sent_;  ///< since the last Notify()
+  bool has_sent_;  ///< a vector was sent since the last Notify()
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_BODY_VECTOR_PAIR_H

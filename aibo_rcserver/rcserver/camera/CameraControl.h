@@ -6,8 +6,8 @@
 #include "protocol/camera_settings.h"
 #include "rcserver/body/Primitives.h"
 
-/// Sets the camera, and keeps its settings. OPEN-R cannot read a setting back, so this assumes that the camera starts
-/// with Sony's defaults (protocol::version2::defaultCameraSettings()) and that no other object sets it.
+/// Sets the camera, and keeps its settings. OPEN-R cannot read a setting back, so this class assumes that the camera
+/// starts with Sony's defaults (protocol::version2::defaultCameraSettings()) and that no other object sets it.
 ///
 /// The camera's primitive is opened when the first setting is changed.
 class CameraControl {
@@ -22,7 +22,7 @@ class CameraControl {
   OPrimitiveID Id() const;
 
   /// @param value valid for the setting (protocol::version2::problemOfCameraValue())
-  /// @return false if the robot refuses; then nothing changes, and the console says why
+  /// @return false if the robot refuses; in that case nothing changes, and the console says why
   bool Set(protocol::version2::CameraSetting setting, unsigned char value);
 
   /// The settings in force.

@@ -8,7 +8,7 @@
 #include "protocol/color_requests.h"
 
 /// The colour detection plane of one camera image. Each pixel is a byte with a bit for each channel that has detected
-/// it. Channel 0 is the lowest bit (ocdtCHANNEL0 in OPENR/ODataFormats.h).
+/// it. The lowest bit belongs to channel 0 (ocdtCHANNEL0 in OPENR/ODataFormats.h).
 ///
 /// The camera overwrites the beginning of the last row (OPENR/OFbkImage.h), so that row is ignored, as in Sony's sample
 /// BallTrackingHead7.
@@ -25,16 +25,16 @@ struct ColorPlane {
 /// Counts the pixels of each channel, and finds their centroid and bounding box. It scans the plane once, run by run,
 /// so its time hardly depends on the number of channels.
 /// @param channels bits of the channels that are wanted
-/// @param[out] regions its count and regions are set, with one region for each of these channels
+/// @param[out] regions gets the count and the regions, one for each of these channels
 void countColors(const ColorPlane& plane, unsigned char channels, protocol::version2::ColorRegions* regions);
 
 /// Most bytes of a packed plane that is sent.
 const size_t MAX_PACKED_PLANE_SIZE = 80 * (104 + 1);
 
-/// True if a plane can be sent because it is not larger than an ERS-7's.
+/// True if a plane is small enough to be sent: not larger than an ERS-7's.
 bool canPackPlane(const ColorPlane& plane);
 
-/// Packs the plane row by row (protocol::version2::packColorPlane()). Its last row becomes empty.
+/// Packs the plane row by row (protocol::version2::packColorPlane()). The last row becomes empty.
 /// @param out room for MAX_PACKED_PLANE_SIZE bytes
 /// @return the number of bytes
 size_t packPlane(const ColorPlane& plane, unsigned char* out);

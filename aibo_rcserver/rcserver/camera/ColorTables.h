@@ -13,7 +13,7 @@
 /// table.
 class ColorTables {
  public:
-  /// @param camera must outlive this
+  /// @param camera must outlive the object
   /// @param channels number of channels that the camera has (robot_model.h)
   ColorTables(CameraControl& camera, int channels);
   ~ColorTables();
@@ -24,8 +24,8 @@ class ColorTables {
   unsigned char Loaded() const { return loaded_; }
 
   /// Replaces the table of a channel.
-  /// @param table of a channel below NumberOfChannels()
-  /// @return false if the robot refuses; then nothing changes, and the console says why
+  /// @param table a table of a channel below NumberOfChannels()
+  /// @return false if the robot refuses; in that case nothing changes, and the console says why
   bool Load(const protocol::version2::ColorTable& table);
 
   /// Empties all tables, for the next client.
@@ -42,7 +42,7 @@ class ColorTables {
   int channels_;
   unsigned char loaded_;
   MemoryRegionID memory_;
-  OCdtVectorData* vector_;  ///< created for the first table; NULL before
+  OCdtVectorData* vector_;  ///< created for the first table, and NULL before
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_CAMERA_COLOR_TABLES_H

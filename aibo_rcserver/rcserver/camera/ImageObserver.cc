@@ -93,8 +93,8 @@ void ImageObserver::TakeOldestOwed(PictureOrder* order) {
 }
 
 bool ImageObserver::TakeStreamPicture(unsigned image_count, PictureOrder* order) {
-  // The count matters only if images are skipped, so a camera whose count does not advance can still stream every
-  // image.
+  // The count is used only if images are to be skipped, so that a camera whose count does not advance can still stream
+  // every image.
   if (every_nth_image_ > 1 && stream_has_begun_ && image_count - last_of_stream_ < every_nth_image_) {
     return false;
   }

@@ -17,15 +17,15 @@ enum ImageObserverState {
 struct PictureOrder {
   unsigned char quality;          ///< JPEG quality, 0..100
   unsigned char layer;            ///< protocol::version2::Layer; always 0 in version 1
-  unsigned short request_number;  ///< of the `F` that asked for it, in version 2; 0 in a stream and in version 1
-  bool is_of_stream;              ///< false: it is owed to an `F` or `M`
-  bool is_for_stick;              ///< owed to an `M`, so it is stored on the memory stick and not sent
+  unsigned short request_number;  ///< of the `F` that asked for the picture, in version 2; otherwise 0
+  bool is_of_stream;              ///< false: the picture is owed to an `F` or `M`
+  bool is_for_stick;              ///< the picture is owed to an `M`, so it is stored on the memory stick and not sent
 };
 
-/// Decides which camera images become pictures, and of which kind.
+/// Decides which images of the camera become pictures, and of which kind.
 ///
 /// Every `F` is answered with exactly one picture, each from a different camera image, in the order of the requests.
-/// Pictures owed to `F` are sent before those of the stream, and remain owed when the stream stops.
+/// Pictures owed to `F` are sent before those of the stream, and stay owed when the stream stops.
 class ImageObserver {
  public:
   /// Most pictures that can be owed at once: those of eight seconds. Only a client that floods the server reaches this
@@ -42,7 +42,7 @@ class ImageObserver {
   void SetHasDetail(bool has_detail) { has_detail_ = has_detail; }
 
   /// `F`: one more picture is owed.
-  /// @param order its is_of_stream is ignored here and in the functions below
+  /// @param order the picture; its is_of_stream is ignored here and in the functions below
   /// @return false if MAX_OWED pictures are owed already, so that this one is not added
   bool RequestPicture(const PictureOrder& order);
 
@@ -50,19 +50,19 @@ class ImageObserver {
   void ToggleStream(const PictureOrder& order);
 
   /// `W` of version 2: starts a stream, or changes the running one.
-  /// @param every_nth_image of the camera; not 0
+  /// @param every_nth_image 1 for every image of the camera; not 0
   void StartStream(const PictureOrder& order, unsigned short every_nth_image);
 
   /// `W` of version 2: stops the stream, if there is one.
   void StopStream();
 
-  /// Call when a camera image has arrived and could be sent now. Leaves IOS_STOPSEND, which lasts for one image.
+  /// Call this when a camera image has come and could be sent. It leaves IOS_STOPSEND, which lasts for one image.
   /// @param image_count the camera's count of its images, with gaps if images were lost
-  /// @param[out] order the picture to make of it
+  /// @param[out] order the picture to make of the image
   /// @return true if a picture is to be made of this image
   bool ImageArrived(unsigned image_count, PictureOrder* order);
 
-  /// Call when a picture that has not been sent is made again from a later image.
+  /// Call this when a picture that has not been sent is made again from a later image.
   /// @param order from ImageArrived()
   void TakeAgain(const PictureOrder& order, unsigned image_count);
 
@@ -70,7 +70,7 @@ class ImageObserver {
   /// @param order from ImageArrived()
   bool Wants(const PictureOrder& order) const;
 
-  /// The client is gone: no picture is owed, and the stream is off.
+  /// Call this when the client is gone: no picture is owed any more, and the stream is off.
   void ClientGone();
 
  private:

@@ -86,7 +86,7 @@ void PictureDatagrams::Stop() {
 
 void PictureDatagrams::HandOver() {
   if (order_.port == 0) {
-    return;  // what may be missing has been handed over, or was for another client
+    return;  // pictures that may be missing have been handed over, or were for another client
   }
   const unsigned unacknowledged = next_picture_ - acknowledged_;
   Close();
@@ -111,7 +111,7 @@ bool PictureDatagrams::MaySend(longword now) const {
   return !IsOn() || in_flight < MOST_UNACKNOWLEDGED || now - last_begun >= patience;
 }
 
-// The picture replaces an older one, whose parts cannot be repeated any more.
+// The new picture replaces an older one, whose parts cannot be repeated any more.
 void PictureDatagrams::Send(const ImageHeader& image, const byte* jpeg, size_t size, longword now) {
   if (next_picture_ - missing_picture_ == KEPT_PICTURES) {
     missing_ = 0;
@@ -154,7 +154,7 @@ void PictureDatagrams::Received(const UDPEndpointReceiveMsg& answer) {
   Receive();
 }
 
-// The numbers are compared by their distances, because they may pass the largest number.
+// The numbers are compared by their distances, because they may overflow.
 void PictureDatagrams::Acknowledge(unsigned next_picture) {
   if (next_picture != acknowledged_ && next_picture - acknowledged_ <= next_picture_ - acknowledged_) {
     acknowledged_ = next_picture;
@@ -253,7 +253,7 @@ void PictureDatagrams::SendMissingPart() {
   SendContent(missing_picture_, false, part, Kept(missing_picture_).jpeg + part * DATAGRAM_PART_SIZE);
 }
 
-// @param part for a parity, the first part of its group; the content has the size of this part
+// @param part the part or, for a parity, the first part of its group; the content has the size of this part
 void PictureDatagrams::SendContent(unsigned picture, bool is_parity, size_t part, const byte* content) {
   const KeptPicture& kept = Kept(picture);
   const PictureDatagram header = {is_parity, static_cast<unsigned short>(part), next_sequence_,
@@ -287,7 +287,7 @@ void PictureDatagrams::DropUnsent() {
   unsent_part_ = number_of_parts_;
 }
 
-// If the IPStack refuses, no status is received, so each picture waits for the timeout.
+// If the IPStack refuses, no status is ever received, and each picture waits for the timeout.
 void PictureDatagrams::Receive() {
   UDPEndpointReceiveMsg receive(endpoint_, ReceiveBuffer(), static_cast<int>(RECEIVE_SIZE));
   receive.continuation = reinterpret_cast<void*>(endpoint_number_);

@@ -16,10 +16,10 @@ class DatagramSwitch {
  public:
   virtual ~DatagramSwitch() {}
 
-  /// Sends the stream's pictures to this port of the client's computer from now on, or only a test. Drops a picture
-  /// that is being sent to another port.
-  /// @param order its port is not 0
-  /// @return false if the IPStack refuses; then no datagrams are sent
+  /// From now on, sends the stream's pictures, or only a test, to this port of the client's computer. A picture that is
+  /// being sent to another port is dropped.
+  /// @param order the order; its port is not 0
+  /// @return false if the IPStack refuses; in that case no datagrams are sent
   virtual bool SendTo(const protocol::version2::DatagramOrder& order) = 0;
 
   /// Stops sending datagrams.
@@ -39,8 +39,8 @@ class DatagramSwitch {
 /// When the client reports a loss, the next PROTECTED_PICTURES have parities, so that it can rebuild a lost datagram.
 class PictureDatagrams : public DatagramSwitch {
  public:
-  /// Most pictures in flight: two, so that the radio does not idle while a status is on its way. One that
-  /// only lacks parts that are being repeated does not count.
+  /// Most pictures in flight: two, so that the radio does not idle while a status is on its way. A picture of which
+  /// only parts are being repeated does not count.
   static const unsigned MOST_UNACKNOWLEDGED = 2;
 
   /// Timeout for a status, in frames: PATIENCE, and PATIENCE_PER_PART for each part of the last picture. A part takes
@@ -58,15 +58,15 @@ class PictureDatagrams : public DatagramSwitch {
   PictureDatagrams();
   virtual ~PictureDatagrams() {}
 
-  /// Gets the shared buffer. Call in DoInit, before anything else.
-  /// @param object whose entry DatagramCont is called
+  /// Gets the shared buffer. Call this in DoInit, before anything else.
+  /// @param object the object whose entry DatagramCont is called
   /// @return false if the IPStack has no memory for it
   bool Create(OID object);
 
   /// Gives the shared buffer back.
   void Destroy();
 
-  /// A client is connected from this address.
+  /// Call this when a client has connected from this address.
   void ClientConnected(unsigned address) { receiver_ = address; }
 
   virtual bool SendTo(const protocol::version2::DatagramOrder& order);
@@ -79,7 +79,7 @@ class PictureDatagrams : public DatagramSwitch {
   /// True while a picture has not been sent completely.
   bool HasPicture() const { return is_sending_ || HasUnsent(); }
 
-  /// False while too many pictures are unacknowledged.
+  /// False while too many pictures wait to be acknowledged.
   /// @param now OPEN-R frame
   bool MaySend(longword now) const;
 
@@ -91,7 +91,7 @@ class PictureDatagrams : public DatagramSwitch {
   /// Handles the IPStack's answer to a datagram, and sends the next one if there is one.
   void Sent(const UDPEndpointSendMsg& answer);
 
-  /// Handles a received datagram. All but the client's are ignored.
+  /// Handles a received datagram. Only the client's datagrams count.
   void Received(const UDPEndpointReceiveMsg& answer);
 
   /// A picture that is kept.
@@ -99,7 +99,7 @@ class PictureDatagrams : public DatagramSwitch {
     protocol::version2::ImageHeader image;
     const byte* jpeg;
     size_t size;
-    longword begun;  ///< OPEN-R frame in which it was begun
+    longword begun;  ///< OPEN-R frame in which the picture was begun
   };
 
   /// Takes the oldest picture that HandOver() has kept and that is not too old. It is valid until the next call.
@@ -139,15 +139,15 @@ class PictureDatagrams : public DatagramSwitch {
   unsigned next_picture_;                    ///< number of the next picture; the one before it is the current one
   unsigned acknowledged_;                    ///< the client has, or has given up, all pictures before this number
   unsigned left_over_;                       ///< how many of the last pictures are to be sent by TCP
-  size_t unsent_part_;                       ///< of the current picture
-  size_t number_of_parts_;                   ///< of the current picture
-  bool has_parities_;                        ///< the current picture
-  bool is_parity_due_;                       ///< of the group before unsent_part_
-  unsigned to_be_protected_;                 ///< number of next pictures that get parities
-  unsigned missing_picture_;                 ///< the picture with the parts that are to be repeated
+  size_t unsent_part_;                       ///< the next part of the current picture to be sent
+  size_t number_of_parts_;                   ///< number of parts of the current picture
+  bool has_parities_;                        ///< the current picture has parities
+  bool is_parity_due_;                       ///< the parity of the group before unsent_part_ is due
+  unsigned to_be_protected_;                 ///< how many of the next pictures get parities
+  unsigned missing_picture_;                 ///< the picture whose missing parts are to be repeated
   size_t first_missing_;                     ///< bit 0 of missing_ is this part
-  unsigned missing_;                         ///< as in DatagramStatus
-  bool is_repairing_;                        ///< the oldest picture that is not acknowledged
+  unsigned missing_;                         ///< the parts to be repeated, as in DatagramStatus
+  bool is_repairing_;                        ///< the parts are those of the oldest picture that is not acknowledged
   KeptPicture kept_[protocol::version2::KEPT_PICTURES];
 };
 

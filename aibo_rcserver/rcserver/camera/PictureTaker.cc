@@ -7,7 +7,7 @@
 
 namespace {
 
-// Finds the bands of a layer. False if one is missing.
+// Finds the bands of a layer; false if one is missing.
 bool FindPlanes(OFbkImageVectorData* image_vector, OFbkImageLayer layer, CameraImage* image) {
   OFbkImageInfo* info = image_vector->GetInfo(layer);
   byte* data = image_vector->GetData(layer);
@@ -26,7 +26,7 @@ bool FindPlanes(OFbkImageVectorData* image_vector, OFbkImageLayer layer, CameraI
   return true;
 }
 
-// Finds the bands of fine detail that belong to layer H. False if the camera has none.
+// Finds the bands of fine detail that belong to layer H; false if the camera has none.
 bool FindDetail(OFbkImageVectorData* image_vector, DetailBands* detail) {
   OFbkImageInfo* info = image_vector->GetInfo(ofbkimageLAYER_H);
   byte* data = image_vector->GetData(ofbkimageLAYER_H);
@@ -66,7 +66,7 @@ void PictureTaker::CountImage(OFbkImageVectorData* image) {
   }
 }
 
-// A layer with one band of fine detail has all three.
+// A layer that has one band of fine detail has all three.
 bool PictureTaker::HasDetail(OFbkImageVectorData* image) {
   return OFbkImage(image->GetInfo(ofbkimageLAYER_H), image->GetData(ofbkimageLAYER_H), ofbkimageBAND_Y_HH).IsValid();
 }

@@ -12,23 +12,23 @@
 #include "rcserver/camera/ImageObserver.h"
 
 /// Counts camera images, and passes them to PictureEncoder one at a time. While a picture is being made, the newest
-/// image waits to be the next, so that a slow encoder is never idle.
+/// image waits for its turn, so that a slow encoder is never idle.
 class PictureTaker {
  public:
   PictureTaker();
 
-  /// Call in DoInit.
-  /// @param gate to the encoder; must outlive this
+  /// Call this in DoInit.
+  /// @param gate to the encoder; must outlive the object
   /// @return false if the memory could not be allocated
   bool Create(OSubject* gate) { return jobs_.Create(gate); }
 
-  /// Call in DoDestroy.
+  /// Call this in DoDestroy.
   void Destroy() {
     picture_.Destroy();
     jobs_.Destroy();
   }
 
-  /// Call for each image of the camera.
+  /// Call this for each image of the camera.
   void CountImage(OFbkImageVectorData* image);
 
   /// The camera's 16-bit image count, extended to 32 bits.
@@ -41,14 +41,14 @@ class PictureTaker {
   bool HasRoom() const { return jobs_.Memory() != NULL; }
 
   /// Keeps the last counted image for the next picture, and replaces an image that waits. Call it only if HasRoom().
-  /// @param image is copied
-  /// @param settings of the camera
+  /// @param image the image, which is copied
+  /// @param settings the settings of the camera
   /// @return NULL, or why no picture can be made
   const char* Offer(OFbkImageVectorData* image, const PictureOrder& order,
                     const protocol::version2::CameraSettings& settings);
 
   /// Drops the image that waits, or the picture that has been made, so that a later image can replace it.
-  /// @param[out] order what it was for
+  /// @param[out] order what the image or picture was for
   /// @return false if there is neither
   bool TakeBack(PictureOrder* order);
 
@@ -58,11 +58,11 @@ class PictureTaker {
   /// Passes the waiting image to the encoder. Call it only if MayBegin().
   void Begin();
 
-  /// Call when the client is gone. Drops all.
+  /// Call this when the client is gone. It drops the image and the picture.
   void Forget();
 
-  /// Call when PictureEncoder has finished a picture (gate Picture). It is kept until it is dropped.
-  /// @return false if it was dropped meanwhile
+  /// Call this when PictureEncoder has finished a picture (gate Picture). The picture is kept until it is dropped.
+  /// @return false if the picture was dropped meanwhile
   bool Take(const ONotifyEvent& event, OObserver* observer);
 
   /// @name The picture that has been made
@@ -80,9 +80,9 @@ class PictureTaker {
   bool is_waiting_;
   PictureOrder waiting_order_;
   protocol::version2::ImageHeader waiting_header_;
-  unsigned ticket_;  ///< of the picture that is being made; 0: there is none
+  unsigned ticket_;  ///< ticket of the picture that is being made; 0 if there is none
   HeldRegion<EncodedPicture> picture_;
-  PictureOrder order_;  ///< of the picture that is being made or has been made
+  PictureOrder order_;  ///< the order of the picture that is being made or has been made
   protocol::version2::ImageHeader header_;
 };
 

@@ -163,8 +163,8 @@ void JointControl::Measured(const FallWatch::Reading& reading, unsigned frame) {
 }
 
 void JointControl::ClientGone() {
-  // The limits are reset first, so that a movement that goes on, such as lying down, does not keep those of the last
-  // client.
+  // The limits are reset first, so that a movement that goes on, such as lying down, does not keep the limits of the
+  // last client.
   for (int i = 0; i < NumberOfJoints(); ++i) {
     planner_.SetSpeedLimit(i, robot_.joints[i].highest_speed);
     planner_.SetAccelerationLimit(i, defaultAcceleration(robot_.joints[i]));

@@ -16,11 +16,11 @@ class MotorSwitch {
  public:
   virtual ~MotorSwitch() {}
 
-  /// True from the moment they are switched on, although the gains follow a little later.
+  /// True from the moment at which the motors are switched on, although the gains follow a little later.
   virtual bool AreOn() const = 0;
 
-  /// When on, the joints hold where they are; when off, they can be moved by hand.
-  /// @return false if the robot refuses; they are off then
+  /// Switches the motors. When they are on, the joints hold still; when they are off, the joints can be moved by hand.
+  /// @return false if the robot refuses; in that case the motors are off
   virtual bool Switch(bool on) = 0;
 };
 
@@ -28,7 +28,7 @@ class MotorSwitch {
 /// index in the robot's table (robot_model.h), angles are in microradian, and time is in OPEN-R frames of 8 ms.
 class JointControl {
  public:
-  /// @param robot must outlive this
+  /// @param robot must outlive the object
   explicit JointControl(const robot_model::RobotModel& robot);
 
   const robot_model::RobotModel& Robot() const { return robot_; }
@@ -45,20 +45,20 @@ class JointControl {
   MotionPlayer& Motions() { return motions_; }
   Walker& Walking() { return walker_; }
 
-  /// @name Clients' orders. Those that move or hold a leg demand letting go (OrderBook)
+  /// @name Clients' orders. Those that move or hold a leg make the client let go before the robot walks (OrderBook)
   /// @param number of the request of version 2, otherwise 0
   /// @{
 
-  /// Carries out a command with JointPlanner::Go(). Motions, walks and postures that move one of these joints end.
-  /// With a number, it is an order, and JointOrders ends it.
-  /// @param[in,out] targets of joints that the robot has; replaced by the positions accepted
+  /// Carries out a command with JointPlanner::Go(). Motions, walks and postures that move one of these joints end. A
+  /// command with a number is an order, which JointOrders ends.
+  /// @param[in,out] targets targets of joints that the robot has; replaced by the positions accepted
   void SetTargets(protocol::version2::JointTargets* targets, unsigned short number = 0);
 
   /// Carries out an order to hold: the joint brakes within its limits and holds its position. A motion, walk or posture
   /// that moves it ends.
   void Stop(int joint);
 
-  /// The same for all joints.
+  /// Carries out an order to hold all joints.
   void StopAll();
 
   /// Carries out an order to walk or to take a posture (Walker). Commands and motions that move the legs end when it
@@ -68,13 +68,13 @@ class JointControl {
   void Take(protocol::version2::Posture posture, unsigned short number = 0);
   /// @}
 
-  /// Call when a motion has begun. Commands to its joints end, and a walk or a posture if it moves the legs.
+  /// Call this when a motion has begun. Commands to its joints end, and so does a walk or a posture if legs move.
   void MotionHasBegun();
 
-  /// Call when the motors are being switched off. All orders end.
+  /// Call this when the motors are being switched off. All orders end.
   void MotorsGoOff();
 
-  /// Call when a motion is requested and its file has yet to be read.
+  /// Call this when a motion is requested whose file has yet to be read.
   void ForgetOrders();
 
   /// For each joint, true if an order has taken it, or a hold has named it, since ForgetOrders(). The motion that was
@@ -87,26 +87,26 @@ class JointControl {
   /// True if a joint has not arrived yet, a motion is being played, or the robot walks or takes a posture.
   bool AreMoving() const;
 
-  /// Call when the joint is at rest and holds this position.
+  /// Call this when the joint is at rest and holds this position.
   void Hold(int joint, int position, unsigned frame);
 
-  /// A joint has reported.
-  /// @param driven true if its motor is on. The joint is then watched: if it does not follow, it holds its current
+  /// Call this when a joint has reported.
+  /// @param driven true if its motor is on. Such a joint is watched: if it does not follow, it holds its current
   ///   position and its motion ends, unless the Walker tries another route
   /// @return the verdict of its JointWatch
   JointWatch::Verdict Measured(int joint, const JointReading& reading, unsigned frame, bool driven);
 
-  /// The accelerometer and the paws have reported. Call it after the joints' reports. Commands whose joints have
+  /// Call this when the accelerometer and the paws have reported, after the joints' reports. Commands whose joints have
   /// arrived end.
   void Measured(const FallWatch::Reading& reading, unsigned frame);
 
-  /// Records a fault that JointWatch cannot find. TakeFault() returns it.
+  /// Records a fault that JointWatch cannot find. TakeFault() returns the fault.
   void Failed(int joint, JointWatch::Verdict fault);
 
   /// The robot's posture, from the last reported positions.
   protocol::version2::Posture Posture() const { return walker_.Now(positions_); }
 
-  /// Where the joint was when it last reported.
+  /// The joint's position in its last report.
   int Position(int joint) const { return positions_[joint]; }
 
   /// The motor's duty in the joint's last report, relative to FULL_DUTY.
@@ -115,7 +115,7 @@ class JointControl {
   /// The fault found since the last call, if any.
   JointWatch::Verdict TakeFault(int joint);
 
-  /// True once after the joint has begun to follow its commands again.
+  /// True once after a joint with a fault has begun to follow its commands again.
   bool TakeRecovery(int joint);
 
   /// Resets everything for the next client: motions end, all joints stop and hold, limits are the robot's own, faults

@@ -66,7 +66,7 @@ bool JointOrders::HasJoint(int order) const {
   return false;
 }
 
-// New limits or a coupling can delay a joint that was there already.
+// Checks whether the joint has arrived. New limits or a coupling can delay a joint that was there already.
 void JointOrders::Judge(int joint, int distance, unsigned frame) {
   OrderedJoint& ordered = joints_[joint];
   const bool was_over = ordered.is_over;

@@ -7,38 +7,38 @@
 #include "rcserver/joints/OrderBook.h"
 #include "robot_model/robot_model.h"
 
-/// Decides when the joints of a command have arrived. A joint is under way in at most one command. It leaves the
+/// Decides when the joints of a command have arrived. A joint is under way in at most one command. The joint leaves the
 /// command when it has arrived, when something else takes it, or when it fails. A command ends when none of its joints
 /// is under way: refused if one has failed, otherwise for the reason for which the last joint left.
 ///
 /// Joints are numbered by their index in the robot's table, and time is in OPEN-R frames of 8 ms.
 class JointOrders {
  public:
-  /// Frames from the end of the planned way to the first measurement that counts: commands wait for up to 8 frames, and
-  /// servos lag. Our choice.
+  /// Frames from the end of the planned way to the first measurement that counts, because commands wait for up to 8
+  /// frames, and servos lag. The value is our choice.
   static const unsigned FRAMES_TO_FOLLOW = 12;
 
-  /// All must outlive this.
+  /// All arguments must outlive the object.
   JointOrders(const JointPlanner& planner, const robot_model::RobotModel& robot, OrderBook& book);
 
-  /// Begins a command. Its joints must have left earlier ones. Without joints, it is done.
-  /// @param joints whose targets are the planner's
-  /// @param number of the request, not 0
+  /// Begins a command. Its joints must have left earlier commands. A command without joints is done at once.
+  /// @param joints the joints, whose targets are the planner's
+  /// @param number number of the request, not 0
   void Begin(const int* joints, int count, unsigned short number);
 
-  /// The joint leaves its command, if it is in one.
+  /// Makes the joint leave its command, if it is in one.
   void Leave(int joint, const EndReason& reason);
 
-  /// Call when all joints have been measured.
+  /// Call this when all joints have been measured.
   /// @param positions by the robot's table, in microradian
   void Measured(const int* positions, unsigned frame);
 
  private:
-  // A joint that is under way, or not.
+  // A joint that may be under way in a command.
   struct OrderedJoint {
-    int order;  ///< NO_ORDER if it is not under way
+    int order;  ///< the order of its command; NO_ORDER if it is not under way
     int target;
-    bool is_over;    ///< as planned
+    bool is_over;    ///< true: the joint should have arrived, as planned
     unsigned since;  ///< frame in which is_over became true
   };
 

@@ -12,8 +12,8 @@ int FramesOfRamp(int difference, int acceleration) {
   return difference > 0 ? (difference - 1) / acceleration : 0;
 }
 
-// 1 + 2 + ... + n. Sums of distances can exceed 32 bits, so they are doubles. They are still exact whole numbers for
-// any motion.
+// 1 + 2 + ... + n. Sums of distances can exceed 32 bits, so they are doubles. For any motion, they are still exact
+// whole numbers.
 double SumUpTo(int n) {
   return 0.5 * n * (n + 1.0);
 }
@@ -126,8 +126,8 @@ void JointPath::Review() {
   }
 }
 
-// The distance that the joint covers in this number of frames, stop included, with this cruising speed. It grows with
-// the speed. Valid only if the joint can stop in that many frames.
+// The distance that the joint covers in this number of frames, stop included, with this cruising speed. The distance
+// grows with the speed. The result is valid only if the joint can stop in that many frames.
 double JointPath::DistanceIn(int frames, int cruise) const {
   // Backward motion is mirrored forward motion.
   const int sign = cruise < 0 ? -1 : 1;
@@ -150,7 +150,7 @@ double JointPath::DistanceIn(int frames, int cruise) const {
   return sign * (first + middle + last);
 }
 
-// If this is true for a number of frames, it is also true for all higher numbers.
+// If the joint can arrive in a number of frames, it can also arrive in any higher number.
 bool JointPath::CanArriveIn(int frames) const {
   const bool can_stop = abs(step_) <= (frames + 1.0) * acceleration_;
   const double distance = target_ - position_;
@@ -195,7 +195,7 @@ int JointPath::StepTowards(int cruise) const {
   return sign * std::max(std::min(still_stops, speed + acceleration_), speed - acceleration_);
 }
 
-// The step to the target, or the nearest one within the limits. A joint that is too fast brakes.
+// The step to the target or, beyond the limits, the nearest step within them. A joint that is too fast brakes.
 int JointPath::FollowingStep() const {
   const int limit = step_limit_ - step_limit_ / 32;  // a motor at its highest speed has no torque left
   const int step = std::min(std::max(target_ - position_, -limit), limit);

@@ -24,30 +24,30 @@ class JointPath {
     int high;
   };
 
-  /// The joint stands at its target 0. Both limits are 1.
+  /// At first, the joint stands at its target 0, and both limits are 1.
   JointPath();
 
-  /// Sets the joint at rest at a position, which becomes its target.
+  /// Puts the joint at rest at a position, which becomes its target.
   void Place(int position);
 
   /// @param step not below 1. A joint that moves faster brakes at its acceleration limit.
   void LimitStep(int step);
 
-  /// @param acceleration not below 1. A lower limit takes effect when the joint can stop with it within one frame.
-  ///   Earlier, the joint could no longer stop at its target.
+  /// @param acceleration not below 1. A lower limit takes effect only when the joint can stop with it within one frame,
+  ///   because earlier the joint could no longer stop at its target.
   void LimitAcceleration(int acceleration);
 
   /// Sets a new target, to be reached as soon as the limits allow.
   void Aim(int target);
 
   /// Follows a moving target. At the end of the next frame, the joint is at the target or as near to it as the limits
-  /// allow, at any speed. Call it in every frame. Otherwise the joint returns to the last target and stops.
+  /// allow, at any speed. Call this in every frame, or the joint returns to the last target and stops.
   /// @param acceleration not below 1; replaces the limit if it is higher, until the joint can stop with the limit
   ///   within one frame
   void Follow(int target, int acceleration);
 
   /// Sets the target to the position where the joint stops if it brakes from now on.
-  /// @param acceleration not below 1; as for Follow()
+  /// @param acceleration not below 1; see Follow()
   void Stop(int acceleration);
 
   int Position() const { return position_; }
@@ -58,7 +58,7 @@ class JointPath {
   /// delay the joint.
   int FramesLeft() const { return frames_left_; }
 
-  /// Makes the joint arrive later. This is always possible.
+  /// Makes the joint arrive later, which is always possible.
   /// @param frames not below FramesLeft()
   void Delay(int frames) { frames_left_ = frames; }
 
@@ -68,10 +68,10 @@ class JointPath {
   /// The step of the next frame if the joint brakes.
   int BrakingStep() const;
 
-  /// The positions the joint passes if it takes this step and then brakes.
+  /// The positions that the joint passes if it takes this step and then brakes.
   Span SpanAfter(int step) const;
 
-  /// The positions the joint passes if it brakes at once.
+  /// The positions that the joint passes if it brakes at once.
   Span BrakingSpan() const;
 
   /// Advances by one frame.
@@ -89,12 +89,12 @@ class JointPath {
   int BrakingDistance(int step) const;
 
   int position_;
-  int step_;  ///< of the last frame
+  int step_;  ///< the step of the last frame
   int target_;
   int frames_left_;
   int step_limit_;
-  int acceleration_;         ///< limit in force
-  int wanted_acceleration_;  ///< limit asked for
+  int acceleration_;         ///< the limit in force
+  int wanted_acceleration_;  ///< the limit asked for
   bool is_following_;        ///< Follow() was called for the next frame
   double fraction_of_step_;  ///< how far the joint lags because of rounding, in steps, 0..1
 };

@@ -12,7 +12,7 @@ namespace {
 
 const int FRAMES_PER_SECOND = 1000 / FRAME_MILLISECONDS;
 
-// One microradian per frame in microradian/s, and one microradian per frame squared in microradian/s^2.
+// What one microradian per frame is in microradian/s, and one microradian per frame squared in microradian/s^2.
 const int SPEED_UNIT = FRAMES_PER_SECOND;
 const int ACCELERATION_UNIT = FRAMES_PER_SECOND * FRAMES_PER_SECOND;
 
@@ -116,7 +116,7 @@ void JointPlanner::NextFrame() {
     const int wanted = paths_[i].WantedStep();
     const int allowed = AllowedStep(i, wanted);
     if (allowed != wanted) {
-      // It may have to wait for another joint of the same command, which must not wait for it in turn.
+      // The joint may have to wait for another joint of the same command, which must not wait for it in turn.
       LeaveCommand(i);
     }
     paths_[i].Advance(allowed);
@@ -128,7 +128,7 @@ int JointPlanner::Speed(int joint) const {
   return paths_[joint].Step() * SPEED_UNIT;
 }
 
-// Adapts what has been aimed to limits and couplings. A follower that is in the way is aimed, too.
+// Adapts the aims to limits and couplings. A follower that is in the way of its leader gets an aim, too.
 void JointPlanner::FitAims() {
   for (int i = 0; i < robot_.number_of_joints; ++i) {
     const Joint& limits = robot_.joints[i];
@@ -147,7 +147,7 @@ void JointPlanner::LeaveCommand(int joint) {
   commands_[joint] = ++last_command_;
 }
 
-// The joint's target is now where it stands or stops. The targets of its partners may no longer fit.
+// Adapts the joint's partners. The joint's target is now where it stands or stops, and theirs may no longer fit.
 void JointPlanner::MakePartnersFit(int joint) {
   for (int i = 0; i < robot_.number_of_couplings; ++i) {
     const Coupling& coupling = robot_.couplings[i];
@@ -158,7 +158,7 @@ void JointPlanner::MakePartnersFit(int joint) {
     if (coupling.follower == joint) {
       Hold(coupling.leader);
     } else if (coupling.leader == joint) {
-      // A follower that was moved out of its limits by hand is not commanded.
+      // A follower that somebody has moved out of its limits by hand is not commanded.
       const int stops_at = paths_[coupling.follower].BrakingSpan().low;
       if (Target(coupling.follower) < stops_at) {
         paths_[coupling.follower].Aim(std::min(lowest, stops_at));
@@ -168,7 +168,7 @@ void JointPlanner::MakePartnersFit(int joint) {
   }
 }
 
-// A joint that cannot arrive in time delays the others of the same command.
+// If a joint cannot arrive in time, the others of the same command arrive later, too.
 void JointPlanner::ArriveTogether() {
   for (int i = 0; i < robot_.number_of_joints; ++i) {
     for (int j = 0; j < robot_.number_of_joints; ++j) {
@@ -179,7 +179,7 @@ void JointPlanner::ArriveTogether() {
   }
 }
 
-// The safe step that is nearest to the wanted one. Braking is always safe.
+// The safe step that is nearest to the wanted step. It is always safe to brake.
 int JointPlanner::AllowedStep(int joint, int wanted) const {
   if (IsAllowed(joint, paths_[joint].SpanAfter(wanted))) {
     return wanted;
@@ -193,7 +193,7 @@ int JointPlanner::AllowedStep(int joint, int wanted) const {
   return allowed;
 }
 
-// After SetPosition(), two joints may touch, or a joint may be outside its limits. Then no joint may go farther out.
+// After SetPosition(), two joints may touch, or a joint may be outside its limits. No joint may then go farther out.
 bool JointPlanner::IsAllowed(int joint, const JointPath::Span& next) const {
   const JointPath::Span now = paths_[joint].BrakingSpan();
   const Joint& limits = robot_.joints[joint];

@@ -3,11 +3,11 @@
 #ifndef AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_WATCH_H
 #define AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_WATCH_H
 
-/// A joint's report. There is one every 4 frames.
+/// A joint's report, which comes every 4 frames.
 struct JointReading {
   int position;   ///< measured, in microradian
   int reference;  ///< commanded at that time, in microradian
-  int duty;       ///< of its motor: -FULL_DUTY is full power backward, and FULL_DUTY is full power forward
+  int duty;       ///< the motor's duty: -FULL_DUTY is full power backward, and FULL_DUTY is full power forward
 };
 
 /// OJointValue::pwmDuty at full power, as Tekkotsu reads it on real robots.
@@ -16,9 +16,9 @@ const int FULL_DUTY = 512;
 /// Detects when a joint does not follow its commands.
 ///
 /// A joint does not follow if it is more than TOLERANCE away from its reference and has moved less than MOVEMENT for
-/// PATIENCE. If its motor duty is HIGH_DUTY or more, it is jammed. If it is less, the motor is not being driven towards
-/// the reference. All four numbers are our choice. They tolerate a joint that lags in a fast motion or sags under its
-/// load, and they stop a blocked motor before it overheats.
+/// PATIENCE. If its motor duty is HIGH_DUTY or more, it is jammed. If the duty is less, the motor is not being driven
+/// towards the reference. All four numbers are our choice. They tolerate a joint that lags in a fast motion or sags
+/// under its load, and they stop a blocked motor before it overheats.
 class JointWatch {
  public:
   enum Verdict {
@@ -35,43 +35,43 @@ class JointWatch {
 
   JointWatch() : position_(0), since_(0) {}
 
-  /// Restarts the watch with the joint at this position.
+  /// Restarts the watch, with the joint at this position.
   void Reset(int position, unsigned frame);
 
-  /// Call for each reading.
-  /// @param frame of the reading, in frames of 8 ms
+  /// Call this for each reading.
+  /// @param frame the frame of the reading, in frames of 8 ms
   /// @return FOLLOWS, or the fault, which is returned again only after another PATIENCE
   Verdict Look(const JointReading& reading, unsigned frame);
 
  private:
   int position_;    ///< where the joint last moved or reached its reference
-  unsigned since_;  ///< frame in which it was there
+  unsigned since_;  ///< frame in which the joint was there
 };
 
-/// Detects when a joint with a fault follows its commands again. Since it was held, both the joint and its reference
-/// must have moved by JointWatch::MOVEMENT. The joint must then have stayed within JointWatch::TOLERANCE of its
+/// Detects when a joint with a fault follows its commands again. Since the joint was held, both it and its reference
+/// must have moved by JointWatch::MOVEMENT. After that, the joint must have stayed within JointWatch::TOLERANCE of its
 /// reference for JointWatch::PATIENCE. Moving a joint by hand is not enough.
 class JointRecovery {
  public:
   JointRecovery() : is_awaited_(false), held_at_(0), since_(0) {}
 
-  /// Call when the joint is held at this position.
+  /// Call this when the joint is held at this position.
   void Reset(int position, unsigned frame);
 
-  /// Call when the joint has a fault.
+  /// Call this when the joint has a fault.
   void Await() { is_awaited_ = true; }
 
-  /// Call when there is no fault to recover from.
+  /// Call this when there is no fault to recover from.
   void Forget() { is_awaited_ = false; }
 
-  /// Call for each reading.
+  /// Call this for each reading.
   /// @return true if the fault is over now
   bool Look(const JointReading& reading, unsigned frame);
 
  private:
   bool is_awaited_;
   int held_at_;
-  unsigned since_;  ///< frame of the last reading at which it did not follow
+  unsigned since_;  ///< frame of the last reading at which the joint did not follow
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_WATCH_H

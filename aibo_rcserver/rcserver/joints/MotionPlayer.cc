@@ -113,7 +113,7 @@ PlayedMotion* MotionPlayer::FindFree() {
   return NULL;
 }
 
-// False if another motion moves one of the joints; problem_ names it.
+// Returns false if another motion moves one of the joints, and describes this in problem_.
 bool MotionPlayer::FindsJointsFree(const PlayedMotion& motion) {
   for (int i = 0; i < MAX_PLAYING; ++i) {
     int joint = NO_JOINT;
@@ -137,7 +137,7 @@ bool MotionPlayer::FindsJointsUncommanded(const PlayedMotion& motion, const bool
   return true;
 }
 
-// The only motion that moves a joint, or MAX_PLAYING if there is none.
+// The motion that moves this joint, or MAX_PLAYING if there is none. Two motions never share a joint.
 int MotionPlayer::FindMoving(int joint) const {
   int i = 0;
   while (i < MAX_PLAYING && !(motions_[i].IsPlaying() && motions_[i].Moves(joint))) {

@@ -11,48 +11,48 @@
 
 /// Plays motion files on the joints of a robot, several at once as long as no joint is in two of them.
 ///
-/// Its memory has a fixed size: MAX_PLAYING files of mtn::MAX_FILE_SIZE, 256 KiB.
+/// The player's memory has a fixed size: MAX_PLAYING files of mtn::MAX_FILE_SIZE, 256 KiB.
 ///
 /// A motion ends when it has been played or stopped, or when one of its joints gets another command or does not follow.
-/// It always ends as a whole, because half a motion can make the robot fall.
+/// A motion always ends as a whole, because half a motion can make the robot fall.
 class MotionPlayer {
  public:
-  /// Most motions at once.
+  /// The most motions at once.
   static const int MAX_PLAYING = OrderBook::MAX_MOTIONS;
 
   /// Room for a problem that Play() returns.
   static const size_t MAX_PROBLEM_SIZE = 256;
 
-  /// If a motion took longer than it should by at least this time, in milliseconds, its end says that the program
-  /// stalled. Vectors of 32 ms and their queue make a difference of up to 64 ms. Our choice.
+  /// If a motion was late by at least this time, in milliseconds, its end says that the program stalled. Vectors of 32
+  /// ms and their queue can make it late by up to 64 ms. The value is our choice.
   static const int HELD_UP = 100;
 
-  /// All must outlive this.
+  /// All arguments must outlive the object.
   MotionPlayer(JointPlanner& planner, const robot_model::RobotModel& robot, OrderBook& orders);
 
-  /// Where the file for Play() goes: room for mtn::MAX_FILE_SIZE bytes.
+  /// The place for the file that Play() plays, with room for mtn::MAX_FILE_SIZE bytes.
   /// @return NULL if MAX_PLAYING motions are being played
   unsigned char* FindRoom();
 
   /// Begins to play the file in FindRoom().
-  /// @param size of the file, 1..mtn::MAX_FILE_SIZE
+  /// @param size the size of the file, 1..mtn::MAX_FILE_SIZE
   /// @param repetitions not below 1
-  /// @param leave_out the motion is played without the joints that the robot does not have; otherwise it is refused
+  /// @param leave_out true: play the motion without the joints that the robot does not have; false: refuse it
   /// @param commanded one element for each joint: true if it was commanded after the motion was requested. Such a
-  ///   command takes precedence over the motion. NULL if no joint was commanded
+  ///   command takes precedence over the motion. It is NULL if no joint was commanded
   /// @param number of the request of version 2, otherwise 0
-  /// @return NULL, or an error text for the user: why it is not played
+  /// @return NULL, or an error text that tells the user why the motion is not played
   const char* Play(const protocol::MotionName& name, size_t size, int repetitions, bool leave_out,
                    const bool* commanded, unsigned short number = 0);
 
   /// How the last motion that Play() began differs from its file, in one line (mtn::FittedMotion::describe()); empty if
-  /// it is played as it is.
+  /// nothing differs.
   const char* Changes() const { return changes_; }
 
-  /// Stops a motion, if it is being played; its joints brake, stop and hold.
+  /// Stops a motion, if it is being played. Its joints brake, stop and hold.
   void Stop(const protocol::MotionName& name);
 
-  /// The same for all motions.
+  /// Stops all motions.
   void StopAll();
   void StopAll(const EndReason& reason);
 
@@ -67,19 +67,19 @@ class MotionPlayer {
   /// True if a motion that is being played moves this joint.
   bool Moves(int joint) const { return FindMoving(joint) < MAX_PLAYING; }
 
-  /// True if the motion that Play() has begun last moves this joint.
+  /// True if the motion that Play() began last moves this joint.
   bool NewestMoves(int joint) const { return newest_ != NULL && newest_->Moves(joint); }
 
-  /// True once for each time that a motion makes this ear flick. Call in each frame or every few. Several motions may
-  /// move the same ear.
-  /// @param ear index in the robot's table
+  /// True once for each time that a motion makes this ear flick. Call this in each frame, or every few frames. Several
+  /// motions may move the same ear.
+  /// @param ear the ear's index in the robot's table
   bool TakeFlick(int ear);
 
-  /// Call before NextFrame(), once for all frames that are computed at this time.
-  /// @param now in milliseconds, on a clock that runs on while the robot's program stalls; may overflow
+  /// Call this before NextFrame(), once for all frames that are computed at this time.
+  /// @param now the time in milliseconds, on a clock that runs on while the robot's program stalls; may overflow
   void SetTime(unsigned now) { now_ = now; }
 
-  /// Call once in each frame, before JointPlanner::NextFrame().
+  /// Call this once in each frame, before JointPlanner::NextFrame().
   void NextFrame();
 
  private:
@@ -97,7 +97,7 @@ class MotionPlayer {
   const robot_model::RobotModel& robot_;
   OrderBook& orders_;
   PlayedMotion motions_[MAX_PLAYING];
-  const PlayedMotion* newest_;  ///< that has begun; NULL if none has
+  const PlayedMotion* newest_;  ///< the motion that has begun last; NULL if none has
   unsigned now_;                ///< milliseconds
   char problem_[MAX_PROBLEM_SIZE];
   char changes_[mtn::FittedMotion::MAX_DESCRIPTION_SIZE];

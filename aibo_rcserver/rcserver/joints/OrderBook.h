@@ -13,7 +13,7 @@
 struct EndReason {
   unsigned char how;   ///< END_DONE and so on
   const char* format;  ///< text for the user, with %s for the joint; a literal
-  const char* joint;   ///< its name in the robot's table, or ""
+  const char* joint;   ///< the joint's name in the robot's table, or ""
 
   static EndReason Of(unsigned char how, const char* format, const char* joint = "") {
     const EndReason reason = {how, format, joint};
@@ -24,23 +24,23 @@ struct EndReason {
   void Describe(char* text) const;
 };
 
-/// Each order ends once. Its end is kept until it has been reported to the client.
+/// Knows the orders that go on. Each order ends once, and its end is kept until it has been reported to the client.
 ///
-/// Also keeps whether a client has to let go before the robot walks. Otherwise, a client that keeps steering would
-/// restart a walk at once that something else has ended.
+/// The book also says whether a client has to let go before the robot walks. Without this, a client that keeps steering
+/// would at once restart a walk that something else has ended.
 class OrderBook {
  public:
-  /// In place of an order: there is none.
+  /// The value that means no order.
   static const int NO_ORDER = -1;
 
-  /// Most motions at once: head, tail, mouth and legs.
+  /// The most motions at once: head, tail, mouth and legs.
   static const int MAX_MOTIONS = 4;
 
-  /// Orders that can live at a time: each joint in a command of its own, motions, and a walk or a posture.
+  /// The most orders at a time: each joint in a command of its own, the motions, and a walk or a posture.
   static const int MAX_LIVE = robot_model::MAX_JOINTS + MAX_MOTIONS + 1;
 
-  /// Ends that can wait for a client: those of all that live, and of one that ends as soon as it begins. A request must
-  /// be carried out only if none waits. Without a client of version 2, the oldest is forgotten.
+  /// Ends that can wait for a client: those of all orders that live, and of one that ends as soon as it begins. A
+  /// request must be carried out only if no end waits. Without a client of version 2, the oldest end is forgotten.
   static const unsigned MAX_ENDS = MAX_LIVE + 1;
 
   /// Room for the text of an EndReason.
@@ -49,26 +49,26 @@ class OrderBook {
   struct OrderEnd {
     unsigned char what;     ///< ENDED_MOTION, ENDED_WALK, ENDED_POSTURE or ENDED_JOINTS
     unsigned char how;      ///< END_DONE and so on
-    unsigned short number;  ///< of the request; 0 if it is not the present client's
+    unsigned short number;  ///< number of the request; 0 if it is not the present client's
     protocol::FileName name;
-    char reason[MAX_TEXT_SIZE];  ///< such as "left_front_knee was commanded"; for END_DONE empty, or that it stalled
+    char reason[MAX_TEXT_SIZE];  ///< such as "left_front_knee was commanded"; for END_DONE, only a stall or nothing
   };
 
   OrderBook();
 
   /// Begins an order.
-  /// @param what as in OrderEnd
-  /// @param number of the request; 0 for orders without one
-  /// @param name of the motion, WALK_NAME, or postureName(); empty for joints
+  /// @param what see OrderEnd::what
+  /// @param number number of the request; 0 for orders without one
+  /// @param name the motion's name, WALK_NAME, or postureName(); empty for joints
   /// @return the order, valid until End()
   int Begin(unsigned char what, unsigned short number, const char* name);
 
-  /// Something has gone wrong with an order that goes on: whenever it ends, it ends for this reason. Only the first one
-  /// counts.
+  /// Call this when something has gone wrong with an order that goes on: whenever it ends, it ends for this reason.
+  /// Only the first reason counts.
   void Spoil(int order, const EndReason& reason);
 
-  /// Ends an order. NO_ORDER is ignored. Without a number, only the end of a posture is reported: an earlier client has
-  /// begun a rest. A motion without a number was begun in version 1, which reports no ends.
+  /// Ends an order. NO_ORDER is ignored. Of orders without a number, only the end of a posture is reported, which is a
+  /// rest that an earlier client has begun. A motion without a number was begun in version 1, which reports no ends.
   void End(int order, const EndReason& reason);
 
   /// The number of the order's request; 0 if it has none, or for NO_ORDER.
@@ -79,16 +79,16 @@ class OrderBook {
   bool Take(OrderEnd* end);
 
   /// Forgets the ends that the client has not taken. The orders that go on do not belong to the next client, which must
-  /// let go first.
+  /// let go before the robot walks.
   void ClientGone();
 
   /// From now on, the client must let go before the robot walks.
   void DemandLettingGo(const EndReason& why);
 
-  /// The client has let go.
+  /// Call this when the client has let go.
   void LetGo() { must_let_go_ = false; }
 
-  /// Why the client must let go first; NULL if it need not.
+  /// Why the client must let go before the robot walks; NULL if it need not.
   const char* WhyToLetGo() const { return must_let_go_ ? why_ : NULL; }
 
  private:
@@ -102,7 +102,7 @@ class OrderBook {
   LiveOrder live_[MAX_LIVE];
   OrderEnd ends_[MAX_ENDS];
   unsigned added_;  ///< number of ends so far
-  unsigned taken_;  ///< how many of them have been taken
+  unsigned taken_;  ///< how many of these ends have been taken
   bool must_let_go_;
   char why_[MAX_TEXT_SIZE];
 };

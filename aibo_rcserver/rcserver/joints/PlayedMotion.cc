@@ -109,7 +109,7 @@ void PlayedMotion::Approach(JointPlanner& planner) {
   planner.Go(static_cast<int>(seconds * 1000));
 }
 
-// Moves the joints from the current key frame to this one, if the motion has it.
+// Makes the joints move from the current key frame to this one, if the motion has it.
 void PlayedMotion::GoTo(int key_frame, const JointPlanner& planner) {
   key_frame_ = key_frame;
   if (key_frame < fitted_.numberOfKeyFrames()) {
@@ -119,7 +119,7 @@ void PlayedMotion::GoTo(int key_frame, const JointPlanner& planner) {
   }
 }
 
-// Finds the next key frame for this time, or the end of the repetition after the last one.
+// Finds the key frame that is next at this time, or ends the repetition after the last key frame.
 void PlayedMotion::PassTime(const JointPlanner& planner) {
   milliseconds_ += robot_model::FRAME_MILLISECONDS;
   while (phase_ == PLAYING) {
@@ -152,7 +152,7 @@ void PlayedMotion::Repeat() {
   phase_ = repetitions_left_ > 0 ? BEGINNING : OVER;
 }
 
-// True if the last key frame, where the joints are, equals the first one.
+// True if the first key frame equals the last one, where the joints are.
 bool PlayedMotion::IsClosed() const {
   int first[MAX_JOINTS];
   fitted_.posture(0, first);

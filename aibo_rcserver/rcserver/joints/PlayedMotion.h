@@ -23,34 +23,34 @@
 /// joints' speed limits. The limits at the beginning of the step count.
 class PlayedMotion {
  public:
-  /// Highest speed on the way to the first key frame, in microradian/s: 90 degrees per second, our choice. From any
-  /// posture, this is slow enough not to startle people or make the robot fall.
+  /// Highest speed on the way to the first key frame, in microradian/s: 90 degrees per second, our choice. This is slow
+  /// enough not to startle people, or to make the robot fall from any posture.
   static const int APPROACH_SPEED = 1570796;
 
   PlayedMotion();
 
-  /// Buffer for the file for Load(). Do not use it while IsPlaying().
+  /// The memory for the file that Load() reads. Do not use it while IsPlaying().
   unsigned char* Room() { return file_; }
 
   /// Reads the motion that is in Room().
-  /// @param size of the file, 0..mtn::MAX_FILE_SIZE
-  /// @param leave_out the joints that the robot does not have are left out
-  /// @return false if it is not a motion, or the robot cannot play it
+  /// @param size the size of the file, 0..mtn::MAX_FILE_SIZE
+  /// @param leave_out true: leave out the joints that the robot does not have
+  /// @return false if the file is not a motion, or if the robot cannot play it
   bool Load(const protocol::MotionName& name, size_t size, const robot_model::RobotModel& robot, bool leave_out);
 
-  /// Why Load() failed; follows the name, as in "NOD.MTN ...".
+  /// Why Load() failed, in words to put after the name, as in "NOD.MTN ...".
   const char* Problem() const { return problem_; }
 
   /// Begins to play the loaded motion with the next frame.
   /// @param repetitions not below 1
-  /// @param order in the OrderBook
+  /// @param order the order in the OrderBook
   void Start(int repetitions, int order);
 
-  /// How long it has been played so far if nothing has held it up, in milliseconds.
+  /// How long the motion has been played so far, in milliseconds, without the time for which anything has held it up.
   unsigned Played() const { return played_; }
 
-  /// How long it has been played so far, in milliseconds.
-  /// @param now as for NextFrame()
+  /// How long the motion has been played so far, in milliseconds.
+  /// @param now see NextFrame()
   unsigned Elapsed(unsigned now) const { return now - begun_; }
 
   /// Makes the current repetition the last one.
@@ -58,25 +58,25 @@ class PlayedMotion {
 
   bool IsPlaying() const { return phase_ != OVER; }
 
-  /// As given to Start().
+  /// The order that was given to Start().
   int Order() const { return order_; }
   const char* Name() const { return name_; }
   bool Moves(int joint) const { return fitted_.moves(joint); }
 
   /// How the motion differs from its file, in one line; see FittedMotion::describe().
-  /// @param[out] text room for mtn::FittedMotion::MAX_DESCRIPTION_SIZE; empty if it does not differ
+  /// @param[out] text room for mtn::FittedMotion::MAX_DESCRIPTION_SIZE; empty if nothing differs
   void DescribeChanges(const JointPlanner& planner, char* text) const;
 
   /// True if both move the same joint.
-  /// @param[out] joint that one
+  /// @param[out] joint the joint that both move
   bool SharesJoint(const PlayedMotion& other, int* joint) const;
 
   /// Sets the targets for the next frame. Call it only if IsPlaying().
-  /// @param now in milliseconds, on any clock; may overflow
+  /// @param now the time in milliseconds, on any clock; may overflow
   void NextFrame(JointPlanner& planner, unsigned now);
 
   /// True once for each flick of an ear. An ear flicks at a key frame where its value changes.
-  /// @param ear index in the robot's table
+  /// @param ear the ear's index in the robot's table
   bool TakeFlick(int ear);
 
   /// Ends the motion. Its joints brake, stop and hold.
@@ -86,9 +86,9 @@ class PlayedMotion {
   enum Phase {
     OVER,
     BEGINNING,    ///< nothing has moved yet
-    APPROACHING,  ///< the first key frame
+    APPROACHING,  ///< on the way to the first key frame
     PLAYING,      ///< on the way to key_frame_
-    ARRIVING      ///< at the last key frame
+    ARRIVING      ///< waiting for the joints at the last key frame
   };
 
   void Approach(JointPlanner& planner);
@@ -106,12 +106,12 @@ class PlayedMotion {
   protocol::MotionName name_;
   mtn::Motion motion_;
   mtn::FittedMotion fitted_;
-  int repetitions_left_;                ///< including the current one
-  int key_frame_;                       ///< in PLAYING: the one that the joints move to, from 1
+  int repetitions_left_;                ///< how many repetitions are left, with the current one
+  int key_frame_;                       ///< in PLAYING: the key frame that the joints move to, from 1
   int milliseconds_;                    ///< in PLAYING: since the previous key frame
   int duration_;                        ///< in PLAYING: milliseconds from the previous key frame to this one
-  unsigned begun_;                      ///< when its first frame was computed, in milliseconds
-  unsigned played_;                     ///< milliseconds
+  unsigned begun_;                      ///< when the motion's first frame was computed, in milliseconds
+  unsigned played_;                     ///< see Played()
   int begin_[robot_model::MAX_JOINTS];  ///< positions in the previous key frame
   int end_[robot_model::MAX_JOINTS];    ///< positions in key_frame_, or in the last one
   bool flicks_[robot_model::MAX_EARS];  ///< ears that have to flick

@@ -7,10 +7,10 @@
 #include "rcserver/requests/Exchange.h"
 #include "rcserver/requests/Robot.h"
 
-/// A request for a picture is answered by the picture.
+/// Handles requests about the camera. The answer to a request for a picture is the picture.
 class CameraRequests {
  public:
-  /// All must outlive this.
+  /// All arguments must outlive the object.
   CameraRequests(const Robot& robot, ImageObserver& camera, Exchange& exchange)
       : robot_(robot), camera_(camera), exchange_(exchange) {}
 
@@ -19,7 +19,7 @@ class CameraRequests {
   void SetCamera();      ///< `G`
   void SendDatagrams();  ///< `B`
 
-  /// The JPEG quality that the id of a request asks for.
+  /// The JPEG quality that a request asks for by its id.
   static unsigned char JpegQuality(unsigned char id);
 
  private:

@@ -29,7 +29,7 @@ void ColorRequests::CarryOut() {
   }
 }
 
-// Drops detections that were made with the earlier settings.
+// Switches the detection. Detections that wait were made with the earlier settings, and are dropped.
 void ColorRequests::Switch(bool on, const ColorSettings& settings) {
   const Wish wish = {on, settings, false, 0};
   wish_ = wish;
@@ -48,7 +48,7 @@ void ColorRequests::LoadTable() {
             static_cast<int>(table.channel), channels);
     exchange_.Refuse(CODE_REFUSED, text);
   } else if (tables_.Load(table)) {
-    exchange_.Out().Colors().Drop();  // those that wait were detected with the earlier table
+    exchange_.Out().Colors().Drop();  // the colours that wait were detected with the earlier table
     exchange_.ReplyWithoutPayload();
   } else {
     exchange_.Refuse(CODE_REFUSED, "the robot's camera does not take this table; the robot's console says why");

@@ -11,13 +11,13 @@
 /// Loads the tables of colours, and pushes what the camera has detected with them.
 class ColorRequests {
  public:
-  /// Both must outlive this.
+  /// Both arguments must outlive the object.
   ColorRequests(ColorTables& tables, Exchange& exchange);
 
-  /// A new client: no colours are pushed.
+  /// Call this for a new client, which gets no colours at first.
   void Begin() { wish_ = Wish(); }
 
-  /// `Z`
+  /// Carries out `Z`.
   void CarryOut();
 
   /// True if the client has switched on colour detection and this image is due.
@@ -25,17 +25,17 @@ class ColorRequests {
     return wish_.is_on && (!wish_.has_pushed || image_count - wish_.last >= wish_.settings.every_nth_image);
   }
 
-  /// Pushes the colours detected in an image. They replace colours that still wait. Call it only if Wants(). If the
-  /// camera has no such plane, an error is pushed once instead.
-  /// @param frame in which the image was taken
+  /// Pushes the colours detected in an image. They replace colours that still wait. Call this only if Wants(). If the
+  /// camera has no such plane, an error is pushed instead, once.
+  /// @param frame the frame in which the image was taken
   void Detected(const ColorPlane& plane, unsigned image_count, unsigned frame);
 
  private:
-  // Everything is 0 for a new client.
+  // What the client wants. Everything is 0 for a new client.
   struct Wish {
     bool is_on;
     protocol::version2::ColorSettings settings;
-    bool has_pushed;  ///< with these settings
+    bool has_pushed;  ///< colours were pushed with these settings
     unsigned last;    ///< image count of the last image whose colours were pushed
   };
 

@@ -89,7 +89,7 @@ size_t Exchange::Complete(char kind, unsigned char id, unsigned short request_nu
   return encode(header, message_) + payload_size;
 }
 
-// Leaves the message in message_ alone.
+// Sends a frame without using message_.
 void Exchange::Send(char kind, unsigned short request_number, const unsigned char* payload, size_t size) {
   const FrameHeader header = {kind, 0, request_number, static_cast<unsigned>(size)};
   unsigned char bytes[FRAME_HEADER_SIZE];

@@ -11,7 +11,7 @@
 /// Decodes the request that is being handled, and writes the answer and pushed messages into the outbox.
 class Exchange {
  public:
-  /// All must outlive this.
+  /// All arguments must outlive the object.
   Exchange(const Settings& settings, OrderBook& orders, Outbox& outbox);
 
   /// Begins to handle a request, or to answer one that has waited.
@@ -27,10 +27,10 @@ class Exchange {
   /// The OPEN-R frame of the last Begin().
   unsigned Now() const { return now_; }
 
-  /// The answer has this id instead of the request's.
+  /// Gives the answer another id than the request's.
   void AnswerWithId(unsigned char id) { request_.id = id; }
 
-  /// @name Checks. They refuse the request if they return false
+  /// @name Checks. If they return false, they have refused the request
   /// @{
   template <typename Content>
   bool Decode(Content* content) {
@@ -42,11 +42,11 @@ class Exchange {
   /// @param setting a line of RCSERVER.CFG, or NULL, as in protocol::version2::Request
   bool IsAllowed(const char* setting);
 
-  /// False for an order that has expired.
+  /// Returns false for an order that has expired.
   bool IsInTime(unsigned not_after);
   /// @}
 
-  /// @name The answer. Each request gets one, after the ends that it has caused
+  /// @name The answer. Each request gets one, after the ends of orders that it has caused
   /// @{
   template <typename Content>
   void Reply(const Content& content) {
@@ -66,7 +66,7 @@ class Exchange {
   void RefuseOther(const protocol::version2::FrameHeader& other, const char* text);
   /// @}
 
-  /// @name Pushed messages. Push them only if there is room, apart from those that replace older ones
+  /// @name Pushed messages. Push them only if there is room; messages that replace older ones always have room
   /// @{
   bool HasRoom() const { return outbox_.HasRoom(); }
 
@@ -83,7 +83,7 @@ class Exchange {
   /// Pushes the ends of orders.
   void PushEnds();
 
-  /// Where the payload of a large message is written: room for the largest one in the outbox.
+  /// The place for the payload of a large message, with room for the largest one in the outbox.
   unsigned char* Payload() { return message_ + protocol::version2::FRAME_HEADER_SIZE; }
 
   /// Completes the message whose payload has been written to Payload().
@@ -107,7 +107,7 @@ class Exchange {
   OrderBook& orders_;
   Outbox& outbox_;
   protocol::version2::FrameHeader request_;
-  const unsigned char* payload_;  ///< of the request
+  const unsigned char* payload_;  ///< payload of the request
   unsigned now_;
   unsigned char message_[Outbox::MAX_COLORS_SIZE];  ///< the message that is being written
 };

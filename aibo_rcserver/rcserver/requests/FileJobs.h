@@ -10,24 +10,24 @@
 #include "file_keeper/FileJob.h"
 #include "objects/RegionSender.h"
 
-/// Has FileKeeper read and write motions and pictures, one job at a time. The FileResult comes later
+/// Lets FileKeeper read and write motions and pictures, one job at a time. The FileResult comes later
 /// (Session::FileDone()).
 class FileJobs {
  public:
   virtual ~FileJobs() {}
 
-  /// False if FileKeeper does not run.
+  /// Returns false if FileKeeper does not run.
   virtual bool IsThere() const = 0;
 
   /// Begins a job. If FileKeeper is still working for an earlier client, the job waits. A client may have only one job
   /// at a time.
-  /// @param name empty for LIST, and to STORE a picture
+  /// @param name the file's name; empty for LIST, and to STORE a picture
   /// @param content, size for STORE: up to largestFile() bytes, which are copied; otherwise NULL and 0
   /// @return the job's ticket, which comes back with its result; not 0
   virtual unsigned Post(FileJob::Operation operation, FileKind kind, const protocol::FileName& name,
                         const unsigned char* content, size_t size) = 0;
 
-  /// Call when the client is gone. Its job is dropped if it has not begun.
+  /// Call this when the client is gone. Its job is dropped if it has not begun.
   virtual void ClientGone() = 0;
 };
 
@@ -36,18 +36,18 @@ class FileDesk : public FileJobs {
  public:
   FileDesk() : has_job_(false) {}
 
-  /// Call in DoInit.
-  /// @param gate to FileKeeper; must outlive this
+  /// Call this in DoInit.
+  /// @param gate to FileKeeper; must outlive the object
   /// @return false if the memory could not be allocated
   bool Create(OSubject* gate) { return jobs_.Create(gate); }
 
-  /// Call in DoDestroy.
+  /// Call this in DoDestroy.
   void Destroy() { jobs_.Destroy(); }
 
   /// False while FileKeeper has something to do.
   bool IsFree() const { return !has_job_ && jobs_.IsFree(); }
 
-  /// Call when FileKeeper is ready for a job.
+  /// Call this when FileKeeper is ready for a job.
   void SendJob() {
     if (has_job_ && jobs_.IsFree()) {
       has_job_ = false;

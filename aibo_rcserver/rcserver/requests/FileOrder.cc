@@ -41,7 +41,7 @@ FileOrder::Outcome FileOrder::Post(FileJob::Operation operation, FileKind kind, 
   return PENDING;
 }
 
-// Version 1 has only FILE_MISSING, which means that a read has failed or that there was no file to delete.
+// For version 1, FILE_MISSING means that a read has failed or that there was no file to delete.
 FileOrder::Outcome FileOrder::Finish(const FileResult& result) {
   ticket_ = 0;
   const bool needs_file = operation_ == FileJob::READ || operation_ == FileJob::DELETE;

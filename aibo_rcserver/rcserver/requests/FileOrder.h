@@ -9,8 +9,8 @@
 #include "protocol/text.h"
 #include "rcserver/requests/FileJobs.h"
 
-/// There is one such request at a time, about a motion or a picture. It is PENDING from Prepare() or Post() until
-/// Finish() or a problem ends it.
+/// Handles one request for the memory stick at a time, about a motion or a picture. The request is PENDING from
+/// Prepare() or Post() until Finish() or a problem ends it.
 class FileOrder {
  public:
   enum Outcome {
@@ -23,10 +23,10 @@ class FileOrder {
   /// Room for the text of Problem().
   static const size_t MAX_PROBLEM_SIZE = 256;
 
-  /// @param jobs must outlive this
+  /// @param jobs must outlive the object
   explicit FileOrder(FileJobs& jobs);
 
-  /// Call for a new client. Drops the request that an earlier client left pending.
+  /// Call this for a new client. It drops the request that an earlier client left pending.
   void Begin();
 
   /// Why the last request was REFUSED or FILE_MISSING, in words that a user can act on.
@@ -42,7 +42,7 @@ class FileOrder {
   /// True from Prepare() to Post().
   bool IsPrepared() const { return is_prepared_; }
 
-  /// Has FileKeeper do a job. The parameters are those of FileJobs::Post().
+  /// Makes FileKeeper do a job. The parameters are those of FileJobs::Post().
   /// @return PENDING, or REFUSED if FileKeeper does not run
   Outcome Post(FileJob::Operation operation, FileKind kind, const protocol::FileName& name,
                const unsigned char* content = NULL, size_t size = 0);
@@ -54,8 +54,8 @@ class FileOrder {
   /// True if this is the result that the pending request waits for.
   bool Awaits(const FileResult& result) const { return ticket_ != 0 && result.ticket == ticket_; }
 
-  /// Finishes the pending request. Call it only if Awaits().
-  /// @return never PENDING
+  /// Finishes the pending request. Call this only if Awaits().
+  /// @return the outcome, never PENDING
   Outcome Finish(const FileResult& result);
 
   /// Ends the request and keeps the reason for the failure.
@@ -68,7 +68,7 @@ class FileOrder {
 
   FileJobs& jobs_;
   bool is_prepared_;
-  unsigned ticket_;  ///< of the job; 0 if FileKeeper is not working for the client
+  unsigned ticket_;  ///< ticket of the job; 0 if FileKeeper is not working for the client
   FileJob::Operation operation_;
   FileKind kind_;
   protocol::FileName name_;

@@ -18,25 +18,25 @@ class MotionCommands {
  public:
   typedef FileOrder::Outcome Outcome;
 
-  /// All must outlive this.
+  /// All arguments must outlive the object.
   MotionCommands(JointControl& joints, const MotorSwitch& motors, FileOrder& order);
 
-  /// Begins to play a motion: PENDING until its file has been read. Commands that its joints get meanwhile take
-  /// precedence.
+  /// Begins to play a motion. The request is PENDING until the motion's file has been read. Commands that its joints
+  /// get meanwhile take precedence.
   /// @param repetitions not below 1
-  /// @param leave_out the motion is played without the joints that the robot does not have; otherwise it is REFUSED
+  /// @param leave_out true: play the motion without the joints that the robot does not have; false: it is REFUSED
   /// @param number of the request of version 2, otherwise 0
   Outcome Play(const protocol::MotionName& name, int repetitions, bool leave_out, unsigned short number = 0);
 
-  /// Once Play() is DONE: how the motion differs from its file (MotionPlayer::Changes()).
+  /// How the motion differs from its file (MotionPlayer::Changes()). Call this once Play() is DONE.
   const char* Changes() const { return joints_.Motions().Changes(); }
 
   /// Stops a motion if it is being played.
-  /// @param name empty: all of them
+  /// @param name the motion's name; empty means all motions
   void Stop(const protocol::MotionName& name);
 
   /// Stores a file, if it is a motion that this robot can play.
-  /// @param leave_out as for Play()
+  /// @param leave_out see Play()
   Outcome Upload(const protocol::MotionName& name, const unsigned char* content, size_t size, bool leave_out);
 
   Outcome Delete(const protocol::MotionName& name);
@@ -45,7 +45,7 @@ class MotionCommands {
   Outcome List();
 
   /// Finishes the pending request if it is about motions.
-  /// @return never PENDING
+  /// @return the outcome, never PENDING
   Outcome Finish(const FileResult& result);
 
  private:
@@ -61,8 +61,8 @@ class MotionCommands {
   /// @name The motion to be played, while its file is being read
   /// @{
   int repetitions_;        ///< how often the motion is to be played
-  bool leave_out_;         ///< without the joints that the robot does not have
-  unsigned short number_;  ///< of the request
+  bool leave_out_;         ///< whether to leave out the joints that the robot does not have
+  unsigned short number_;  ///< number of the request
   /// @}
 };
 

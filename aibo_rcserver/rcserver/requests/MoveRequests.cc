@@ -100,8 +100,8 @@ void MoveRequests::Hold() {
   }
 }
 
-// Velocities are whole mm/s and mrad/s on the wire. The velocities in force are rounded down, so that a client can send
-// them back unchanged.
+// The protocol has velocities in whole mm/s and mrad/s. The velocities in force are rounded down, so that a client can
+// send them back unchanged.
 void MoveRequests::Steer() {
   SteeringOrder order;
   if (!exchange_.Decode(&order)) {
@@ -192,7 +192,7 @@ bool MoveRequests::HasJoint(int identifier) {
   return true;
 }
 
-// A motion whose file has not been read yet is refused if it moves one of them: see JointControl::Ordered().
+// If a motion moves one of these joints and its file has not been read yet, it is refused: see JointControl::Ordered().
 void MoveRequests::HoldJoints() {
   JointIds named;
   if (!exchange_.Decode(&named)) {
@@ -225,7 +225,7 @@ bool MoveRequests::MayTake(Posture posture) {
   return problem == NULL;
 }
 
-// A fault that does not fit in the outbox is pushed the next time.
+// Pushes the faults of joints. A fault for which the outbox has no room is pushed the next time.
 void MoveRequests::PushJointFaults() {
   for (int i = 0; i < robot_.joints.NumberOfJoints() && exchange_.HasRoom(); ++i) {
     const JointWatch::Verdict fault = robot_.joints.TakeFault(i);

@@ -11,11 +11,11 @@
 /// Passes orders to joints, legs and motors, and reports how they end. StickRequests plays motions.
 class MoveRequests {
  public:
-  /// All must outlive this.
-  /// @param stick ends a motion whose file is being read when the robot is stopped
+  /// All arguments must outlive the object.
+  /// @param stick ends a motion whose file is being read when the robot is told to stop
   MoveRequests(const Robot& robot, StickRequests& stick, Exchange& exchange);
 
-  /// Nothing has been reported to a new client.
+  /// Call this for a new client, to which nothing has been reported.
   void Begin() { has_told_motors_ = false; }
 
   void MoveJoints();    ///< `J`
@@ -25,7 +25,7 @@ class MoveRequests {
   void Steer();         ///< `S`
   void TakePosture();   ///< `E`
 
-  /// Pushes faults, recoveries, ends of orders and a fall. What does not fit in the outbox is pushed the next time.
+  /// Pushes faults, recoveries, ends of orders and a fall. If the outbox has no room, the rest is pushed the next time.
   void PushReports();
 
   /// Pushes the state of the motors and the posture if they have changed.

@@ -22,9 +22,9 @@ enum PowerOrder {
   POWER_LIE_DOWN  ///< lie down, then shut down
 };
 
-/// All members outlive the session.
+/// The parts of the robot that requests use. All members outlive the session.
 struct Robot {
-  const char* design;  ///< as OPEN-R names it
+  const char* design;  ///< name of the design in OPEN-R
   JointControl& joints;
   MotorSwitch& motors;
   const SensorDriver& sensors;

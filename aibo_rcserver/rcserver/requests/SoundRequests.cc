@@ -15,7 +15,7 @@ void SoundRequests::CarryOut() {
   }
 }
 
-// Drops sound that was recorded with the earlier settings.
+// Sets the microphone. Sound that waits was recorded with the earlier settings, and is dropped.
 void SoundRequests::SetMicrophone() {
   MicrophoneSettings wanted;
   if (exchange_.Decode(&wanted) && ((wanted.mode & MICROPHONE_ON) == 0 || exchange_.IsAllowed(LISTEN.setting))) {
@@ -58,7 +58,7 @@ void SoundRequests::Heard(OSoundVectorData* vector) {
   }
   HeardSound heard = microphone_.Convert(vector, exchange_.Payload() + HEARD_SOUND_HEADER_SIZE);
   const size_t samples_size = heard.samples_size;
-  heard.samples_size = 0;  // they are already in place
+  heard.samples_size = 0;  // the samples are already in place
   const size_t payload_size = encode(heard, exchange_.Payload()) + samples_size;
   const size_t size = exchange_.Complete(SOUND_PUSH, SOUND_MICROPHONE, 0, payload_size);
   exchange_.Out().Sound().Add(exchange_.Message(), size);

@@ -11,18 +11,18 @@
 /// Lets the client hear and play sound, and set the volume.
 class SoundRequests {
  public:
-  /// All must outlive this.
+  /// All arguments must outlive the object.
   SoundRequests(Microphone& microphone, Speaker& speaker, Exchange& exchange)
       : microphone_(microphone), speaker_(speaker), exchange_(exchange) {}
 
-  /// `A`
+  /// Carries out `A`.
   void CarryOut();
 
-  /// Pushes sound from the microphone, if the client listens. What does not fit in the outbox is lost. The frame
-  /// numbers show this to the client.
+  /// Pushes sound from the microphone, if the client listens. Sound for which the outbox has no room is lost, which the
+  /// client sees from the frame numbers.
   void Heard(OSoundVectorData* vector);
 
-  /// Pushes the ends of sounds. One that does not fit in the outbox is pushed the next time.
+  /// Pushes the ends of sounds. An end for which the outbox has no room is pushed the next time.
   void PushEnds();
 
  private:

@@ -141,7 +141,7 @@ bool StickRequests::LeavesOutMissingJoints() const {
   return (exchange_.Id() & LEAVE_OUT_MISSING_JOINTS) != 0;
 }
 
-// PictureTaken() stores it.
+// Orders a picture, which PictureTaken() stores.
 FileOrder::Outcome StickRequests::OrderPicture() {
   const PictureOrder order = {exchange_.Id(), LAYER_HIGH, exchange_.Request().request_number, false, true};
   if (files_.Prepare() != FileOrder::PENDING) {

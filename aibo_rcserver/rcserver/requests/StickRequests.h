@@ -9,14 +9,14 @@
 #include "rcserver/requests/FileOrder.h"
 #include "rcserver/requests/MotionCommands.h"
 
-/// Only one request may wait for the memory stick. The others can then be handled at once, above all orders to stop.
-/// FileDone() answers the one that waits.
+/// Only one request may wait for the memory stick. So all others can be handled at once, above all orders to stop.
+/// FileDone() answers the request that waits.
 class StickRequests {
  public:
-  /// All must outlive this.
+  /// All arguments must outlive the object.
   StickRequests(FileOrder& files, MotionCommands& motions, ImageObserver& camera, Exchange& exchange);
 
-  /// A new client: no request waits.
+  /// Call this for a new client, none of whose requests waits.
   void Begin() { owes_file_ = false; }
 
   void StoreMotion();    ///< `U`
@@ -31,17 +31,17 @@ class StickRequests {
   void EndWaitingMotion(const char* why);
 
   /// Answers the request that has been waiting for the memory stick.
-  /// @param result that the FileOrder awaits
+  /// @param result the result that the FileOrder awaits
   /// @param now the present OPEN-R frame
   void FileDone(const FileResult& result, unsigned now);
 
-  /// The picture of an order for the memory stick has been made.
+  /// Call this when the picture of an order for the memory stick has been made.
   void PictureTaken(const unsigned char* jpeg, size_t size);
 
   /// True if the file of the last FileDone() must be sent, after EncodeFileHeader().
   bool OwesFile() const { return owes_file_; }
 
-  /// Writes the header of the frame that carries the file. The file is then no longer owed.
+  /// Writes the header of the frame that carries the file. After this call, the file is not owed any more.
   /// @param[out] out room for FRAME_HEADER_SIZE bytes
   size_t EncodeFileHeader(size_t size, unsigned char* out);
 
@@ -59,7 +59,7 @@ class StickRequests {
   Exchange& exchange_;
   bool owes_file_;                           ///< pending_ must be answered with a file
   protocol::version2::FrameHeader pending_;  ///< the request that waits for the memory stick; kind 0: it has ended
-  unsigned play_not_after_;                  ///< of a `P` that waits
+  unsigned play_not_after_;                  ///< the last frame in which the `P` that waits may be carried out
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_REQUESTS_STICK_REQUESTS_H

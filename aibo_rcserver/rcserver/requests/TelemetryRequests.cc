@@ -6,7 +6,7 @@ using namespace protocol::version2;
 
 namespace {
 
-// Joints and sensors report every 4 frames.
+// The period in frames of the reports of joints and sensors.
 const unsigned short SENSOR_PERIOD = 4;
 const unsigned short LONGEST_PERIOD = 65532;
 
@@ -17,7 +17,7 @@ unsigned short WholeSensorPeriods(unsigned short frames) {
   return static_cast<unsigned short>((frames + SENSOR_PERIOD - 1) / SENSOR_PERIOD * SENSOR_PERIOD);
 }
 
-// This order of operations does not overflow, because a duty has 16 bits.
+// In this order, the operations do not overflow, because a duty has 16 bits.
 int MillionthsOfFullDuty(int duty) {
   return duty * (1000000 / 64) / (FULL_DUTY / 64);
 }

@@ -9,25 +9,25 @@
 /// Pushes measured values at the client's period.
 class TelemetryRequests {
  public:
-  /// Both must outlive this.
+  /// Both arguments must outlive the object.
   TelemetryRequests(const Robot& robot, Exchange& exchange);
 
-  /// A new client: no telemetry is pushed.
+  /// Call this for a new client, which gets no telemetry at first.
   void Begin() { wish_ = Wish(); }
 
-  /// `T`
+  /// Carries out `T`.
   void SetPeriod();
 
-  /// Pushes telemetry if it is due. It replaces telemetry that still waits.
-  /// @param frame in which all joints were measured
+  /// Pushes telemetry if it is due, in place of telemetry that still waits.
+  /// @param frame the frame in which all joints were measured
   void Measured(unsigned frame);
 
  private:
-  // Everything is 0 for a new client.
+  // What the client wants. Everything is 0 for a new client.
   struct Wish {
     unsigned short period;  ///< in frames; 0: no telemetry
     unsigned char content;  ///< bits of TelemetryContent
-    bool has_pushed;        ///< since the period was set
+    bool has_pushed;        ///< telemetry was pushed since the period was set
     unsigned last;          ///< frame in which telemetry was last pushed
   };
 

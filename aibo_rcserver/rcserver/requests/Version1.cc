@@ -83,7 +83,7 @@ bool Version1::Execute() {
   }
 }
 
-// All joints can only be moved.
+// Moves or reads a joint. All joints at once can only be moved.
 bool Version1::MoveOrReadJoints() {
   const JointControl& joints = robot_.joints;
   const bool is_for_all = Identifier() == ALL_IDENTIFIERS;
@@ -110,12 +110,12 @@ bool Version1::MoveOrReadJoints() {
   return true;
 }
 
-// False for an order that may have been delayed.
+// Returns false if the motors are off, or if the order may have been delayed.
 bool Version1::MayMove() const {
   return robot_.motors.AreOn() && !robot_.clock.MayHaveWaited();
 }
 
-// In version 1, the server only replies. So a fault is reported by refusing the next request about the joint, once.
+// A version 1 server only replies, so it reports a fault by refusing the next request about the joint, once.
 bool Version1::HasFault(int joint) {
   return robot_.joints.TakeFault(joint) != JointWatch::FOLLOWS;
 }
@@ -130,7 +130,7 @@ bool Version1::LimitJoint() {
   if (IsWrite()) {
     const int limit = microradiansFromCentidegrees(Value());
     if (limit <= 0) {
-      return false;  // the joint would not move any more
+      return false;  // with this limit, the joint would not move any more
     }
     is_speed ? planner.SetSpeedLimit(joint, limit) : planner.SetAccelerationLimit(joint, limit);
   }
@@ -174,7 +174,7 @@ void Version1::ReadBlock() {
 }
 
 // The angle of the joint with this identifier, or the value of the sensor. A sensor that has not measured yet reads as
-// 0, so that each value keeps its place in the block. False if there is no such part.
+// 0, so that each value keeps its place in the block. The result is false if there is no such part.
 bool Version1::Measure(int identifier, short* value) const {
   const int joint = robot_.joints.Find(identifier);
   const int sensor = robot_.sensors.Find(identifier);
@@ -268,7 +268,7 @@ void Version1::HandleMotion() {
   }
 }
 
-// The reader skips the content of an upload that is refused here.
+// Begins an upload. If it is refused here, the reader skips its content.
 void Version1::BeginUpload(const MotionName& name, size_t size) {
   if (!settings_.allow_upload || size > mtn::MAX_FILE_SIZE) {
     Refuse(ERROR_REFUSED);

@@ -13,28 +13,28 @@
 
 /// Carries out the requests of version 1 and answers them (docs/protocol.md).
 ///
-/// TCP delivers an upload in pieces of any size. They are collected in memory, and the file is stored when it is
+/// TCP delivers an upload in pieces of any size. The pieces are collected in memory, and the file is stored when it is
 /// complete, so an interrupted upload leaves nothing behind.
 class Version1 {
  public:
-  /// @param upload_buffer mtn::MAX_FILE_SIZE bytes, used only while version 1 is spoken. All must outlive this.
+  /// @param upload_buffer mtn::MAX_FILE_SIZE bytes, used only in version 1. All arguments must outlive the object.
   Version1(const Robot& robot, const Settings& settings, MotionCommands& motions, ImageObserver& camera, Outbox& outbox,
            unsigned char* upload_buffer);
 
-  /// A new client: no upload is under way, and the block that `S` reads holds all joints and sensors.
+  /// Call this for a new client. No upload is under way, and the block that `S` reads holds all joints and sensors.
   void Begin();
 
   /// Carries out a request and adds at most one message to the outbox. TakeContent() answers an upload, and FileDone()
   /// answers a request that needs the memory stick. A request for a picture is answered by the picture.
   void Handle(const protocol::Request& request);
 
-  /// Takes the received part of an upload. Call it before each request. Adds at most one message to the outbox: the
-  /// answer to the upload.
+  /// Takes the received part of an upload. Call this before each request. It adds at most one message to the outbox:
+  /// the answer to the upload.
   /// @return false if more of the upload is still to come
   bool TakeContent(protocol::RequestReader& reader);
 
   /// Answers the request that has been waiting for the memory stick.
-  /// @param result that the FileOrder awaits
+  /// @param result the result that the FileOrder awaits
   void FileDone(const FileResult& result) { Answer(motions_.Finish(result)); }
 
  private:
@@ -74,12 +74,12 @@ class Version1 {
   MotionCommands& motions_;
   ImageObserver& camera_;
   Outbox& outbox_;
-  protocol::Request request_;      ///< that is being handled, or that waits for its content or the memory stick
-  bool is_left_out_[IDENTIFIERS];  ///< of the block that `S` reads
+  protocol::Request request_;      ///< the one that is handled, or waits for its content or the memory stick
+  bool is_left_out_[IDENTIFIERS];  ///< true: the value is not in the block that `S` reads
   unsigned char* const upload_buffer_;
   bool is_uploading_;
   protocol::MotionName upload_name_;
-  size_t uploaded_;  ///< bytes in the buffer
+  size_t uploaded_;  ///< bytes of the upload in the buffer
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_REQUESTS_VERSION1_H

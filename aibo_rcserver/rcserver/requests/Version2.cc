@@ -175,7 +175,7 @@ void Version2::Reboot() {
   GoOff(POWER_REBOOT);
 }
 
-// The hello lists the letters in this order.
+// The rows are in the order in which the hello lists the letters.
 const Version2::Row Version2::ROWS[] = {
     {&SAY_HELLO, &Version2::SayHello},
     {&TAKE_PICTURE, &Version2::TakePicture},

@@ -17,15 +17,15 @@
 /// (docs/protocol.md).
 class Version2 {
  public:
-  /// All must outlive this.
+  /// All arguments must outlive the object.
   Version2(const Robot& robot, const Settings& settings, FileOrder& files, MotionCommands& motions,
            ImageObserver& camera, Outbox& outbox);
 
-  /// A new client: nothing is pushed that it has not asked for.
+  /// Call this for a new client, which gets no messages that it has not asked for.
   void Begin();
 
-  /// Carries out a request and adds at most one reply to the outbox, after the ends that it has caused. A request that
-  /// needs the memory stick is answered by StickRequests::FileDone(), and one for a picture by the picture.
+  /// Carries out a request and adds at most one reply to the outbox, after the ends that the request has caused.
+  /// StickRequests::FileDone() answers a request that needs the memory stick, and the picture one for a picture.
   /// @param payload as many bytes as the header says
   /// @param now the present OPEN-R frame
   void Handle(const protocol::version2::FrameHeader& request, const unsigned char* payload, unsigned now);
@@ -43,8 +43,8 @@ class Version2 {
   /// Pushes the reports of joints, motions, the walk and sounds, as far as the outbox has room.
   void PushReports();
 
-  /// Call when all joints have been measured. Pushes reports, and telemetry if it is due.
-  /// @param frame in which they were measured
+  /// Call this when all joints have been measured. It pushes reports, and telemetry if it is due.
+  /// @param frame the frame in which they were measured
   void Measured(unsigned frame);
 
   StickRequests& Stick() { return stick_; }

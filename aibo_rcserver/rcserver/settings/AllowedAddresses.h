@@ -11,10 +11,10 @@ class AllowedAddresses {
   /// Most entries in a list.
   static const int MAX_RANGES = 32;
 
-  /// Any address.
+  /// At first, the list allows any address.
   AllowedAddresses() : is_any_(true), number_of_ranges_(0) {}
 
-  /// Only 127.0.0.1.
+  /// Allows only 127.0.0.1.
   void AllowOnlyThisComputer();
 
   /// Reads a list as in RCSERVER.CFG: "ANY", or addresses separated by commas, each a.b.c.d or a.b.c.d/n. The latter
@@ -27,7 +27,7 @@ class AllowedAddresses {
 
   bool IsAny() const { return is_any_; }
 
-  /// Entries of the list; 0 for any address.
+  /// The number of entries in the list; 0 if any address is allowed.
   int NumberOfEntries() const { return number_of_ranges_; }
 
   /// Room for one entry as text: "192.168.100.100/24" and a zero byte.

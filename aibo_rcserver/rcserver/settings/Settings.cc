@@ -13,7 +13,7 @@
 
 namespace {
 
-// The settings. The first ones, at these indices, have their own parsers; all others are yes or no.
+// The settings. The first ones, at these indices, have parsers of their own; all others are yes or no.
 enum { ALLOWED_ADDRESSES, SILENT_CLIENT_SECONDS };
 const struct {
   const char* name;
@@ -42,7 +42,7 @@ bool ContinuesCharacter(const char* byte, const char* end) {
   const ptrdiff_t longest = 4;
   const char* first = byte;
   do {
-    --first;  // not beyond the comment's #
+    --first;  // no further back than the comment's #
   } while ((*first & 0xc0) == 0x80 && byte - first < longest - 1);
   bool is_well_formed = false;
   for (ptrdiff_t size = byte - first + 1; size <= std::min(longest, end - first); ++size) {
@@ -52,9 +52,9 @@ bool ContinuesCharacter(const char* byte, const char* end) {
 }
 
 // The size of a character at which some editors show a new line, although it ends no line here; 0 if there is none.
-// Besides those of ASCII and NUL, these are NEL in Latin-1 and in UTF-8, and U+2028 and U+2029.
+// These characters are those of ASCII, NUL, NEL in Latin-1 and in UTF-8, and U+2028 and U+2029.
 size_t SizeOfUnclearLineEnd(const char* text, const char* end) {
-  if (memchr("\v\f\x1a\x1c\x1d\x1e", *text, 7) != NULL) {  // with the final NUL
+  if (memchr("\v\f\x1a\x1c\x1d\x1e", *text, 7) != NULL) {  // the final NUL is one of the characters
     return 1;
   }
   if (*text == '\x85') {
@@ -70,7 +70,7 @@ bool IsLetter(char character) {
   return character == '_' || (character >= 'A' && character <= 'Z') || (character >= 'a' && character <= 'z');
 }
 
-// True for NAME=, whatever the name.
+// True if the text begins with NAME=, whatever the name.
 bool BeginsLikeSetting(const char* text, const char* end) {
   while (text < end && (*text == ' ' || *text == '\t')) {
     ++text;
@@ -86,7 +86,7 @@ bool BeginsLikeSetting(const char* text, const char* end) {
   return has_name && text < end && *text == '=';
 }
 
-// True if an editor may show a part of the comment as a line of its own, which may be meant to keep others out.
+// True if an editor may show a setting in the comment as a line of its own, which may be meant to keep others out.
 bool HidesSetting(const char* comment, const char* end) {
   for (const char* text = comment; text < end; ++text) {
     const size_t size = SizeOfUnclearLineEnd(text, end);
@@ -130,7 +130,7 @@ const char* Reader::Read(const char* begin, const char* end) {
   return Set();
 }
 
-// False if the line has characters that no setting has, or too many.
+// Takes the line. Returns false if it has characters that no setting has, or too many.
 bool Reader::TakeLine(const char* begin, const char* end) {
   while (end > begin && (end[-1] == ' ' || end[-1] == '\t')) {
     --end;
@@ -193,7 +193,7 @@ const char* Reader::ReadSeconds(const char* value) {
   return NULL;
 }
 
-// The settings when the file has a fault, which may have been meant to keep others out.
+// Sets what holds if the file has a fault, because the faulty line may have been meant to keep others out.
 void MakeSafe(Settings* settings, const char* fault) {
   *settings = Settings();
   sprintf(settings->fault, "%.*s", static_cast<int>(MAX_SETTINGS_FAULT_SIZE), fault);
@@ -222,7 +222,7 @@ const char* NextLine(const char* line_end, const char* end) {
   return line_end == end ? end : line_end + (has_two ? 2 : 1);
 }
 
-// Reads an open file. Returns false if that is not possible.
+// Reads an open file; false if it cannot be read.
 bool ReadFile(FILE* file, Settings* settings) {
   char* const bytes = static_cast<char*>(malloc(MAX_SETTINGS_FILE_SIZE + 1));
   const size_t size = bytes != NULL ? fread(bytes, 1, MAX_SETTINGS_FILE_SIZE + 1, file) : 0;
@@ -254,13 +254,13 @@ bool IsSettingsFile(const char* name) {
   return strlen(name) == strlen(SettingsFileName()) && BeginsWith(name, SettingsFileName());
 }
 
-// A file that its owner may have meant to be RCSERVER.CFG, such as RCSERVER.CFG.txt, which some editors write. Where
-// names have at most eight characters, RCSERV~1.TXT stands for it.
+// True for a file that its owner may have meant to be RCSERVER.CFG, such as RCSERVER.CFG.txt, which some editors write.
+// Where names have at most eight characters, RCSERV~1.TXT stands for it.
 bool IsLookAlike(const char* name) {
   return (BeginsWith(name, "RCSERVER") || BeginsWith(name, "RCSERV~")) && !IsSettingsFile(name);
 }
 
-// Copies the first matching name in the settings folder. False if there is none.
+// Copies the first matching name in the settings folder; false if there is none.
 bool FindInFolder(const HostSettings& host, bool (*is_wanted)(const char* name), char (&found)[64]) {
   char path[MAX_PATH_SIZE];
   DIR* const folder = pathOnMemoryStick(host, SETTINGS_FOLDER, path) ? opendir(path) : NULL;

@@ -38,7 +38,7 @@ struct Settings {
   }
 
   /// True if this setting is yes.
-  /// @param setting the name in the file of one that is yes or no; NULL: always true
+  /// @param setting the name of a setting that is yes or no, as in the file; NULL: always true
   bool Allows(const char* setting) const;
 
   bool allow_upload;                   ///< ALLOW_UPLOAD: files onto the memory stick
@@ -52,7 +52,7 @@ struct Settings {
   bool power_monitor;                  ///< POWER_MONITOR: pause button and low battery switch the robot off
   AllowedAddresses allowed_addresses;  ///< ALLOWED_ADDRESSES
   unsigned silent_client_seconds;      ///< SILENT_CLIENT_SECONDS, 1..3600: after this time, a client counts as silent
-  /// Why the file is ignored and only 127.0.0.1 may connect: "line 2: it is neither yes nor no". Otherwise empty.
+  /// Why the file is ignored and only 127.0.0.1 may connect: "line 2: it is neither yes nor no"; otherwise empty.
   char fault[MAX_SETTINGS_FAULT_SIZE + 1];
 };
 
@@ -61,7 +61,7 @@ class SettingsProblems {
  public:
   virtual ~SettingsProblems() {}
 
-  /// @param line from 1
+  /// @param line the line's number, from 1
   /// @param text the problem and the line's text
   virtual void Report(int line, const char* text) = 0;
 };
@@ -69,8 +69,8 @@ class SettingsProblems {
 /// Reads lines of the form NAME=VALUE. Empty lines and comments after a # are skipped, and case does not matter. Any
 /// editor may have written the text (protocol::textInFile()): the line ends of all systems are accepted, and comments
 /// have any characters. If any line is wrong, the whole file is ignored, because that line may have been a restriction.
-/// Then only 127.0.0.1 may connect, clients play no sound, the motors are off at boot, and all other settings have
-/// their defaults. A line is also wrong if an editor may show a setting in its comment on a line of its own.
+/// In that case only 127.0.0.1 may connect, clients play no sound, the motors are off at boot, and all other settings
+/// have their defaults. A line is also wrong if an editor may show a setting in its comment on a line of its own.
 void readSettings(const char* bytes, size_t size, Settings* settings, SettingsProblems& problems);
 
 /// Reads RCSERVER.CFG from the memory stick. The console shows each wrong line and who may connect. Without the file,

@@ -7,10 +7,10 @@
 
 namespace {
 
-const double LEAST = 4;  // m/s^2; with less, up is not known
+const double LEAST = 4;  // m/s^2; if the acceleration is less, nobody knows where up is
 
-// Share of a report in the mean, which follows within 3 reports: 0.1 s. The legs of a robot that lies and still walks
-// shake it.
+// The share of a report in the mean, which follows within 3 reports: 0.1 s. A mean is needed because a robot that lies
+// and still walks is shaken by its legs.
 const double NEW_SHARE = 0.3;
 
 const double COSINE_60 = 0.5;

@@ -7,11 +7,11 @@
 
 /// Evaluates the accelerometer and the paw switches.
 ///
-/// - The robot lies if the accelerometer's up direction is more than 60 degrees from the body's: on its side, or, if
-///   neither side is up by more than 30 degrees, on its back. A sitting robot leans by 25 degrees.
-/// - It is carried if it stands or walks and no paw touches the floor any more. Paws are ignored until three of them
-///   have touched the floor at once since it stood up: they may be broken, the robot may be hung up for a test, or it
-///   may lie on its shanks.
+/// - The robot lies if the accelerometer's up direction is more than 60 degrees from the body's: on its side or, if
+///   neither side points up by more than 30 degrees, on its back. A sitting robot leans by 25 degrees.
+/// - The robot is carried if it stands or walks and no paw touches the floor any more. Paws are ignored until three of
+///   them have touched the floor at once since it stood up: they may be broken, the robot may be hung up for a test, or
+///   it may lie on its shanks.
 ///
 /// The acceleration is a mean of the last reports, because the legs of a robot that has fallen shake it while they
 /// still walk. A verdict counts when it has been the same for PATIENCE, and a fall when the robot has lain for so long,
@@ -23,7 +23,7 @@ class FallWatch {
 
   static const unsigned PATIENCE = 50;  ///< frames of 8 ms: 0.4 s, a little less than a step. Our choice
 
-  /// Paws that touch the floor at once when the robot stands well.
+  /// How many paws touch the floor at once when the robot stands well.
   static const int STANDING_PAWS = 3;
 
   /// The measurements of one frame.
@@ -36,20 +36,20 @@ class FallWatch {
 
   FallWatch() : mean_(), verdict_(UPRIGHT), since_(0), candidate_(UPRIGHT), candidate_since_(0), paws_work_(false) {}
 
-  /// Call for each report of the sensors.
+  /// Call this for each report of the sensors.
   /// @param stands true if the robot stands or walks
   /// @param frame OPEN-R frame
   void Look(const Reading& reading, bool stands, unsigned frame);
 
   Verdict Now() const { return verdict_; }
 
-  /// The verdict of the mean of the last reports.
+  /// The verdict on the mean of the last reports.
   Verdict Last() const { return candidate_; }
 
   /// True if the robot lies on its side or its back.
   static bool IsFallen(Verdict verdict) { return verdict != UPRIGHT && verdict != CARRIED; }
 
-  /// Number of frames since the robot fell, or else since the verdict changed.
+  /// The number of frames since the robot fell or, if it has not fallen, since the verdict changed.
   unsigned Duration(unsigned frame) const { return frame - since_; }
 
   /// The verdict as text, such as "the robot lies on its left side"; NULL if it is upright.
@@ -58,12 +58,12 @@ class FallWatch {
  private:
   Verdict Judge(const Reading& reading, bool stands);
 
-  Reading mean_;  ///< of the last reports; the paws are those of the last one
+  Reading mean_;  ///< the mean of the last reports; its paws are those of the last report
   Verdict verdict_;
-  unsigned since_;  ///< frame
+  unsigned since_;  ///< frame in which the verdict changed or the robot fell
   Verdict candidate_;
-  unsigned candidate_since_;  ///< frame
-  bool paws_work_;            ///< STANDING_PAWS have touched the floor at once since it stood up
+  unsigned candidate_since_;  ///< frame in which the candidate came up
+  bool paws_work_;            ///< STANDING_PAWS have touched the floor at once since the robot stood up
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_WALK_FALL_WATCH_H

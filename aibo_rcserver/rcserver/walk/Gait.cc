@@ -14,20 +14,20 @@ namespace {
 
 const double WHOLE_TURN = 2 * 3.14159265358979323846;
 
-// How many times more sideways and turning velocities count while the legs move in waves. Found with the bench.
+// By how many times sideways and turning velocities count more while the legs move in waves. Found with the bench.
 const double OTHERS_IN_WAVES = 2;
 
 // m/s; the range of speeds in which the limits of the trot give way to those of the waves. Our choice.
 const double NARROWING = 0.05;
 
-// s; by how much more feet lag behind the body's way to the side than behind its way ahead, and m; how far ahead of the
-// shoulders' middle is what goes to the side in a turn. Found with the bench: the robot leans the least.
+// In s: how much more the feet lag behind the body's way to the side than behind its way ahead. In m: how far ahead of
+// the shoulders' middle the way to the side counts. Found with the bench: the robot leans the least.
 const double LAG_ASIDE = 0.09;
 const double TURNS_AHEAD = 0.025;
 
 // The position of a point that accelerates evenly for `easing`, moves on, and slows down evenly for `easing` at the
 // end. Positions and times are shares of the whole.
-// @param from its speed at both ends
+// @param from the speed at both ends
 double Eased(double time, double easing, double from) {
   const double top = (1 - easing * from) / (1 - easing);
   const double left = std::min(time, 1 - time);
@@ -57,7 +57,7 @@ double PlaceAt(const StepParameters& step, double time) {
   return Eased((time - with_floor) / (1 - with_floor), step.easing, speed) - 0.5;
 }
 
-// Seen from the middle of the shoulders, with z up.
+// The middle of the foot's line, seen from the middle of the shoulders, with z up.
 Point FootMiddle(const StepParameters& step, Leg leg) {
   const double outward = isFront(leg) ? step.front_outward : step.hind_outward;
   Point middle = findShoulder(leg);
@@ -72,7 +72,7 @@ double Lift(const StepParameters& step, Leg leg, double part) {
   return highest * Eased(2 * std::min(part, 1 - part), 2 * step.lift_easing, 0);
 }
 
-// @param cosine, sine of the phase
+// @param cosine, sine those of the phase
 double WaveAt(const double* factors, double cosine, double sine) {
   double value = factors[0];
   double c = cosine;
@@ -86,7 +86,7 @@ double WaveAt(const double* factors, double cosine, double sine) {
   return value;
 }
 
-// All numbers of a step.
+// Pointers to all numbers of a step.
 double StepParameters::*const NUMBERS[] = {
     &StepParameters::period,        &StepParameters::duty,         &StepParameters::margin,
     &StepParameters::lag,           &StepParameters::height,       &StepParameters::front_lift,
@@ -149,7 +149,7 @@ Velocity Gait::Narrowed(const Velocity& wanted, double told, const protocol::ver
   const double others = Part(wanted.left, highest.left) + Part(wanted.turn, highest.turn);
   const double room = std::max(1 - forward / highest.forward, (1 - forward / fastest) / OTHERS_IN_WAVES);
   const double scale = others > room ? room / others : 1;
-  // They change gradually, because a foot must not jump, and mostly before the waves begin.
+  // The limits change gradually, because a foot must not jump, and mostly before the waves begin.
   const double share = Clamped((told - parameters_.waves.none) / NARROWING + 0.8);
   const Velocity limited = {shortened.forward + share * (forward - shortened.forward),
                             shortened.left + share * (wanted.left * scale - shortened.left),
@@ -162,7 +162,7 @@ StepParameters Gait::StepAt(const Velocity& velocity) const {
   const StepParameters& other = is_back ? parameters_.back : parameters_.forward;
   const double highest = is_back ? parameters_.highest.back : parameters_.highest.forward;
   const double share = std::min(Part(std::min(velocity.forward, parameters_.waves.none), highest), 1.0);
-  const double part = share * share;  // at half the speed, the numbers for turning are still the better ones
+  const double part = share * share;  // at half of the speed, the numbers for turning are still better
   StepParameters step = parameters_.in_place;
   for (size_t i = 0; i < sizeof(NUMBERS) / sizeof(NUMBERS[0]); ++i) {
     step.*NUMBERS[i] += part * (other.*NUMBERS[i] - step.*NUMBERS[i]);
@@ -194,7 +194,7 @@ void Gait::FindPosture(double phase, const Velocity& velocity, double effort, Le
     const Point in_body = {foot.x * cosine - foot.z * sine, foot.y, foot.x * sine + foot.z * cosine};
     findLegAngles(leg, in_body, &angles[i]);
     if (waves > 0) {
-      // In a turn, the inner legs make shorter strokes. Only half of a stroke comes from the share of the waves.
+      // In a turn, the inner legs make shorter strokes. The share of the waves makes up only half of a stroke.
       AddWaves(leg, phase, effort * std::min(waves * (1 - 2 * aside / velocity.forward), 1.0), &angles[i]);
     }
   }

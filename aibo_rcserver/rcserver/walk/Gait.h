@@ -10,18 +10,18 @@
 struct StepParameters {
   double period;  ///< s; in this time, each foot makes one step
 
-  /// Share of the period in which a foot is on the floor. From 0.5 on, two feet always are.
+  /// The share of the period in which a foot is on the floor. From 0.5 on, two feet always are on the floor.
   double duty;
 
-  /// Share of the period for which a foot moves with the floor before it touches down and after it has lifted off.
-  /// Motors lag, and a foot that still moves forward when it touches the floor drags the robot.
+  /// Share of the period for which a foot moves with the floor before it touches down and after it has lifted off. This
+  /// is needed because motors lag, and a foot that still moves forward when it touches the floor drags the robot.
   double margin;
 
-  /// s; feet are placed where they would be this much later. Motors lag, so feet on the floor are ahead of their
-  /// planned places, and the robot would lean back.
+  /// In s; feet are placed where they would be this much later. Motors lag, so without this, feet on the floor would be
+  /// too far ahead, and the robot would lean back.
   double lag;
 
-  double height;         ///< m; of the shoulders over the floor
+  double height;         ///< m; how high the shoulders are above the floor
   double front_lift;     ///< m; how high a front foot is lifted in the middle of its way through the air
   double hind_lift;      ///< m; the same for a hind foot
   double front_ahead;    ///< m; where a front foot stands, ahead of its shoulder
@@ -30,12 +30,12 @@ struct StepParameters {
   double hind_outward;   ///< m; the same for a hind foot
   double nose_down;      ///< rad; how far the body leans forward
 
-  /// Share of its way to the front in which a foot changes from the floor's speed to its own. The change back takes the
-  /// same share. 0..0.5; the smaller, the lower its highest speed and the higher its acceleration.
+  /// The share, 0..0.5, of a foot's way to the front in which it changes from the floor's speed to its own. The change
+  /// back takes the same share. The smaller it is, the lower the highest speed and the higher the acceleration.
   double easing;
 
-  /// Share of its way through the air in which a foot begins to rise. The end of the rise and both ends of the fall
-  /// take the same share. 0..0.25; it acts like `easing`.
+  /// The share, 0..0.25, of a foot's way through the air in which it begins to rise. The end of the rise and both ends
+  /// of the fall take the same share. It acts like `easing`.
   double lift_easing;
 };
 
@@ -53,41 +53,41 @@ struct WaveParameters {
   double hind_ahead;  ///< share of the period by which a hind leg is ahead of the front leg on its side
   double none;        ///< m/s; up to this speed, the robot trots
   double all;         ///< m/s; from this speed on, the legs move in waves alone
-  double unseen;      ///< UnseenWay() in waves alone
-  double nose_up;     ///< radian; how far the body leans back in waves alone
+  double unseen;      ///< UnseenWay() if the legs move in waves alone
+  double nose_up;     ///< radian; how far the body leans back if the legs move in waves alone
   LegWaves front;
   LegWaves hind;
 };
 
 /// The numbers of the gait. The defaults were found with the bench in test/physics, which measures falls, distances and
-/// motor loads on many robots and floors. None has been tried on a robot yet.
+/// motor loads on many robots and floors. None of them has been tried on a real robot yet.
 struct GaitParameters {
   GaitParameters();
 
   StepParameters in_place;  ///< the step without a forward velocity: standing, turning, walking sideways
   StepParameters forward;   ///< the step at highest.forward; lower velocities mix it with `in_place` (StepAt())
-  StepParameters back;      ///< the same backward
-  WaveParameters waves;     ///< faster
+  StepParameters back;      ///< the step at highest.back, mixed in the same way
+  WaveParameters waves;     ///< the gait above the speeds of the trot
 
-  /// Highest velocities, each without the others. Combined velocities are limited further.
+  /// The highest velocities, each without the others. Combined velocities are limited further.
   protocol::version2::WalkLimits highest;
   double fastest;  ///< m/s; the highest velocity forward with little turning: see Gait::Limited()
 
-  /// The same for the legs, which have to walk faster where they do not do as they are told.
+  /// The same velocities for the legs, which have to walk faster than told where they fall short of their commands.
   protocol::version2::WalkLimits highest_of_legs;
   double fastest_of_legs;  ///< m/s; `fastest` for the legs
 };
 
 /// A trot: diagonal legs move together, half a period after the two others. A foot on the floor moves with the floor,
 /// on a straight line around its middle; in the air, it goes back to the other end of that line, and touches down with
-/// the speed of the floor. Knees are too slow for more than 200 mm/s of this. So above 160 mm/s, the angles of the
-/// joints come nearer and nearer to waves that repeat in each step. The hind knees are bent then, and the nose is up.
+/// the speed of the floor. Knees are too slow for a trot at more than 200 mm/s. So above 160 mm/s, the angles of the
+/// joints come nearer and nearer to waves that repeat in each step. The waves bend the hind knees and raise the nose.
 ///
 /// A robot that leans more than it should tips over its diagonal pairs of feet: a swinging foot hits the floor early,
-/// and the robot rocks. So the feet can be placed nearer to the side to which it leans.
+/// and the robot rocks. To prevent this, the feet can be placed nearer to the side to which the robot leans.
 ///
-/// A pure function: it has no state, and the same arguments give the same angles. A robot that stands still is a robot
-/// that walks with velocity 0 and effort 0, whatever the phase is.
+/// The gait has no state: the same arguments always give the same angles. A robot that stands still is a robot that
+/// walks with velocity 0 and effort 0, whatever the phase is.
 ///
 /// The angles are not limited. With a velocity from Limited() or LimitedForLegs(), the angles and their speeds are
 /// within the limits and couplings of the joints. A test checks all velocities.
@@ -103,12 +103,12 @@ class Gait {
     return Shortened(wanted, parameters_.highest, parameters_.fastest);
   }
 
-  /// The same while the velocity changes: a robot that walks too fast to trot slows down before it turns.
+  /// The same during a change of velocity: a robot that walks too fast to trot slows down before it turns.
   protocol::version2::Velocity LimitedInWalk(const protocol::version2::Velocity& wanted) const {
     return Narrowed(wanted, wanted.forward, parameters_.highest, parameters_.fastest);
   }
 
-  /// The highest velocity for the legs, which have to walk faster where they do not do as they are told.
+  /// The highest velocity for the legs, which have to walk faster than told where they fall short of their commands.
   /// @param told the forward velocity that the robot was told
   protocol::version2::Velocity LimitedForLegs(const protocol::version2::Velocity& wanted, double told) const {
     return Narrowed(wanted, told, parameters_.highest_of_legs, parameters_.fastest_of_legs);
@@ -120,8 +120,8 @@ class Gait {
   /// The numbers of a step with this velocity.
   StepParameters StepAt(const protocol::version2::Velocity& velocity) const;
 
-  /// The way ahead that feet on the floor do not show, as a share of the way that they show. The middle of many robots
-  /// and floors on the bench.
+  /// The way ahead that feet on the floor do not show, as a share of the way that they show. The values are the middle
+  /// of many robots and floors on the bench.
   double UnseenWay(const protocol::version2::Velocity& velocity) const;
 
   /// How far the body leans forward on level ground, in radian.
@@ -135,9 +135,9 @@ class Gait {
 
   /// Computes the angles of the legs.
   /// @param phase of the step, 0..1
-  /// @param velocity that Limited() or LimitedForLegs() has returned
-  /// @param effort 0..1: share of the lift, the waves and the shift; less than 1 at the beginning and the end of a walk
-  /// @param[out] angles of the four legs, in radian, in the order of robot_model::Leg
+  /// @param velocity a velocity that Limited() or LimitedForLegs() has returned
+  /// @param effort share of the lift, waves and shift, 0..1; less than 1 at the beginning and the end of a walk
+  /// @param[out] angles the angles of the four legs, in radian, in the order of robot_model::Leg
   /// @param shift of all feet, in metres: x ahead, y to the left
   void FindPosture(double phase, const protocol::version2::Velocity& velocity, double effort,
                    robot_model::LegAngles* angles, const robot_model::Point& shift = robot_model::Point()) const;
@@ -147,7 +147,7 @@ class Gait {
   static protocol::version2::Velocity Shortened(const protocol::version2::Velocity& wanted,
                                                 const protocol::version2::WalkLimits& highest, double fastest);
 
-  /// Keeps the forward velocity of a robot that walks too fast to trot, and shortens the others.
+  /// Keeps the forward velocity of a robot that walks too fast to trot, and shortens the other velocities.
   protocol::version2::Velocity Narrowed(const protocol::version2::Velocity& wanted, double told,
                                         const protocol::version2::WalkLimits& highest, double fastest) const;
 

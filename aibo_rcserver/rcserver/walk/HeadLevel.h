@@ -8,11 +8,11 @@
 #include "rcserver/joints/JointPlanner.h"
 #include "robot_model/robot_model.h"
 
-/// A head that hangs down would hit the floor, or keep the robot from rolling over. Joints that something else moves
-/// meanwhile are left alone.
+/// Levels the head. A head that hangs down would hit the floor, or keep the robot from rolling over. Joints that
+/// something else moves are left alone.
 class HeadLevel {
  public:
-  /// All must outlive this.
+  /// All arguments must outlive the object.
   HeadLevel(JointPlanner& planner, const robot_model::RobotModel& robot) : planner_(planner) {
     static const char* const NAMES[COUNT] = {"neck_tilt", "head_pan", "head_tilt"};
     for (int i = 0; i < COUNT; ++i) {
@@ -21,7 +21,7 @@ class HeadLevel {
     Begin(false);
   }
 
-  /// @param levels whether the head is to be levelled from now on
+  /// @param levels true: the head is to be levelled from now on
   void Begin(bool levels) { std::fill(levels_, levels_ + COUNT, levels); }
 
   /// True if this is one of the joints that are levelled.
@@ -33,7 +33,7 @@ class HeadLevel {
     return i < COUNT && levels_[i];
   }
 
-  /// Call when something else moves the joint.
+  /// Call this when something else moves the joint.
   void LeaveAlone(int joint) {
     for (int i = 0; i < COUNT; ++i) {
       levels_[i] = levels_[i] && joints_[i] != joint;
@@ -41,7 +41,7 @@ class HeadLevel {
   }
 
   /// Levels the head.
-  /// @param milliseconds that it takes
+  /// @param milliseconds the time to take
   void Go(int milliseconds) {
     for (int i = 0; i < COUNT; ++i) {
       if (levels_[i]) {

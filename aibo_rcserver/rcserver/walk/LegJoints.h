@@ -13,7 +13,7 @@
 /// an ERS-7, only AreThere() and Has() may be called.
 class LegJoints {
  public:
-  /// All must outlive this.
+  /// All arguments must outlive the object.
   LegJoints(JointPlanner& planner, const robot_model::RobotModel& robot);
 
   /// False if the robot does not have the legs of an ERS-7.
@@ -22,28 +22,28 @@ class LegJoints {
   /// True if this is a joint of a leg.
   bool Has(int joint) const;
 
-  /// The angles of the legs in these positions.
-  /// @param positions by the robot's table
+  /// The angles of the legs when the joints are at these positions.
+  /// @param positions the joints' positions by the robot's table
   void Find(const int* positions, robot_model::LegAngles* legs) const;
 
   /// The planned angles of the legs.
   void Find(robot_model::LegAngles* legs) const;
 
   /// Aims the joints (JointPlanner::Aim()) that move.
-  /// @param moves for the rotators, elevators and knees; NULL: all
+  /// @param moves which of rotators, elevators and knees move; NULL: all
   /// @return the longest way of a joint, in microradian
   int Aim(const robot_model::LegAngles* legs, const bool* moves = NULL) const;
 
-  /// True if all are where they were aimed at, as planned.
+  /// True if, as planned, all joints of the legs are where they were aimed at.
   bool HaveArrived() const;
 
-  /// Brakes and holds all.
+  /// Makes all joints of the legs brake and hold.
   void Hold() const;
 
-  /// Sets the speed limits of all to the robot's own.
+  /// Sets the speed limits of all joints of the legs to the robot's own.
   void ResetSpeedLimits() const;
 
-  /// A joint whose speed limit is lower than the robot's own, or NO_JOINT.
+  /// A joint of a leg whose speed limit is lower than the robot's own, or NO_JOINT.
   int FindSlow() const;
 
  private:

@@ -26,7 +26,7 @@ const LegAngles FRONT_RESTS = {65 * DEGREE, 10 * DEGREE, 30 * DEGREE};
 const LegAngles HIND_RESTS = {-65 * DEGREE, 10 * DEGREE, 30 * DEGREE};
 
 // How the robot rolls over; for left legs, a hind leg's rotator has the other sign. Found with the bench in
-// test/physics. Legs that reach past the back end above it. A leg spread this wide does not carry the robot.
+// test/physics. A leg turned by PAST_BACK ends above the back, and a leg spread by WIDE does not carry the robot.
 const double PAST_BACK = 115 * DEGREE;
 const double WIDE = 85 * DEGREE;
 const LegAngles REACHES = {PAST_BACK, 2 * DEGREE, 5 * DEGREE};
@@ -35,14 +35,14 @@ const LegAngles KEEPS_AWAY = {0, 0, 20 * DEGREE};
 const LegAngles FOLDED = {90 * DEGREE, WIDE, 30 * DEGREE};
 const LegAngles LEANS = {20 * DEGREE, 40 * DEGREE, 20 * DEGREE};
 
-// Largest distance of a foot from a route, in metres, at which the robot still counts as on it. Our choice: more than
-// load and joint slip cause, less than the length of a shank.
+// Largest distance of a foot from a route, in metres, at which the robot still counts as on it. The value is our
+// choice: more than load and joint slip cause, less than the length of a shank.
 const double NEAR = 0.03;
 
-// Number of checked places on a route. They are less than NEAR apart.
+// The number of places on a route that are checked. They are less than NEAR apart.
 const int PLACES = 16;
 
-// Range of foot positions in which the robot counts as standing. Our choice: from half crouched to straight legs.
+// The range of foot positions in which the robot counts as standing, from half crouched to straight legs. Our choice.
 const double LOWEST_STAND = -0.07;  // m; foot below the body's origin
 const double STAND_SLANT = 0.03;    // m; difference in height between two feet
 const double STAND_AROUND = 0.06;   // m; from the foot's place, seen from above
@@ -144,7 +144,7 @@ bool Postures::Stands(const LegAngles* here) const {
   return highest <= LOWEST_STAND && highest - lowest <= STAND_SLANT;
 }
 
-// True if all feet are near places that they pass at the same time.
+// True if at some place on the way from one posture to the other, all feet are near.
 bool Postures::IsBetween(Posture from, Posture to, const LegAngles* here) const {
   for (int place = 0; place <= PLACES; ++place) {
     double farthest = 0;

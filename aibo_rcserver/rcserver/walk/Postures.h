@@ -8,18 +8,18 @@
 #include "rcserver/walk/Gait.h"
 #include "robot_model/legs.h"
 
-/// Knows the leg angles of each posture, and the order in which to take them to get to one from anywhere, so that the
+/// Knows the leg angles of each posture, and the order of postures that leads to one of them from anywhere, so that the
 /// robot never stands on folded legs.
 ///
 /// Between standing and sitting, and between standing and lying, all joints move at once, and the feet slide over the
-/// floor. All other routes are made of these. From an unknown posture, the robot first lies down: it spreads its legs
-/// until it lies on its belly, folds them without weight on them, and puts them down.
+/// floor. All other routes are made of these two. From an unknown posture, the robot first lies down: it spreads its
+/// legs until it lies on its belly, folds them without weight on them, and puts them down.
 ///
 /// A robot that lies on a side rolls onto its belly: the legs below reach past its back, and then push against the
 /// floor. If it lies on its back, the legs of one side reach past its back, so that it tips onto the other side.
 class Postures {
  public:
-  /// What the legs do in one go. The first have the numbers of protocol::version2::Posture.
+  /// What the legs do at a time. The first values are those of protocol::version2::Posture.
   enum Stage {
     STAND = protocol::version2::POSTURE_STAND,
     SIT,
@@ -35,10 +35,10 @@ class Postures {
     NUMBER_OF_STAGES
   };
 
-  /// Most stages on a route.
+  /// The most stages on a route.
   static const int MAX_ROUTE = 5;
 
-  /// @param gait its posture at zero velocity is standing
+  /// @param gait the gait, whose posture at zero velocity is standing
   explicit Postures(const Gait& gait);
 
   /// The angles of the four legs at the end of a stage, in the order of robot_model::Leg.
@@ -52,7 +52,7 @@ class Postures {
   static bool IsPosture(Stage stage) { return stage <= REST; }
 
   /// Finds the route to a posture.
-  /// @param here the angles of the four legs now
+  /// @param here the present angles of the four legs
   /// @param lies_down true if the robot has to lie down on the route
   /// @param[out] route room for MAX_ROUTE stages to go through one after the other; the last is the wanted posture
   /// @return the number of stages

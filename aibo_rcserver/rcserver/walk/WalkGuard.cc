@@ -18,35 +18,35 @@ namespace {
 
 const double FRAME = robot_model::FRAME_MILLISECONDS * 1e-3;  // s
 
-// From Tekkotsu's kinematic table of the ERS-7. The chest sensor looks down by 30 degrees; the others are in the head.
+// Both are from Tekkotsu's kinematic table of the ERS-7. The chest sensor looks down by 30 degrees.
 const Point CHEST = {0.109136, 0, -0.003384};
 const Point CHEST_LOOKS = {0.866025, 0, -0.5};
 const Point NEAR = {0.0769, 0.0028, -0.0146};
 const Point FAR = {0.0769, -0.0080, -0.0146};
 
-// A sensor that measures more sees nothing (robot_model.h: 0.9, 0.5 and 1.5 m).
+// A sensor that measures more than this sees nothing (robot_model.h: 0.9, 0.5 and 1.5 m).
 const double MOST_CHEST = 0.88;
 const double MOST_NEAR = 0.48;
 const double MOST_FAR = 1.45;
 
-// At 200 mm/s a walking robot leans by 11 degrees at most (docs/walking.md). That makes the way to the floor up to 1.5
+// At 200 mm/s a walking robot leans by 11 degrees at most (docs/walking.md). So the way to the floor becomes up to 1.5
 // times as long, and no shorter than 0.78 times.
 const double EDGE_FACTOR = 1.5;
 const double OBSTACLE_FACTOR = 0.75;
 
-// With 3 reports in a row, at least two measurements of a sensor agree: it measures every 40 or 48 ms, and reports
-// come every 32 ms.
+// How many reports in a row must agree. In 3 reports, at least two measurements of a sensor agree: it measures every 40
+// or 48 ms, and reports come every 32 ms.
 const int REPORTS = 3;
 
-// s; from a change in the room until the legs react to it. In ms: 48 for the sensor, 96 for the reports, 64 for the
-// commands ahead, 24 for the servos.
+// The time in s from a change in the room until the legs react to it: 48 ms for the sensor, 96 for the reports, 64 for
+// the commands ahead, and 24 for the servos.
 const double DELAY = 0.23;
 
-// s; after this time, a robot that is told to stop has stopped: the delay, and half of the time that it takes to slow
-// down, because it is half as fast on average.
+// The time in s that a robot which is told to stop would go on at full speed: the delay, and half of the time that it
+// takes to slow down, because it is half as fast on average.
 const double TIME_TO_STOP = DELAY + 0.5 / SPEED_CHANGE;
 
-const double HALF_WIDTH = 0.11;  // of the body with its legs
+const double HALF_WIDTH = 0.11;  // half of the width of the body with its legs
 const double HIGHEST_OBSTACLE = 0.15;
 const double LEAST_CLEARANCE = 0.05;
 const double NOTHING_AHEAD = 10;
@@ -57,19 +57,19 @@ const double LONGEST_STEP = 0.04;
 const double MOST_OFF_GROUND = 0.04;
 const double NEAREST_TO_EDGE = 0.05;
 
-// A new pose is remembered after this way or turn.
+// After how long a way, or how far a turn, a new pose is remembered.
 const double WAY_BETWEEN_POSES = 0.02;
 const double TURN_BETWEEN_POSES = 0.5;
 const double WAY_BETWEEN_EDGES = 0.02;
 
-// Walking more to the side than this part of ahead is walking where no sensor looks.
+// A robot that walks more to the side than this part of ahead walks where no sensor looks.
 const double MOST_SIDEWAYS = 0.2;
 
-// A paw touches the floor this many seconds after its foot is commanded to be there.
+// How many seconds after its foot is commanded to be there a paw touches the floor.
 const double FIRST_TOUCH = 0.10;
 const double LAST_TOUCH = 0.13;
 
-// A paw that has touched the floor in so many steps in a row is believed.
+// After how many steps in a row with the floor under it a paw is believed.
 const int STEPS_TO_BELIEVE = 4;
 
 const int NO_PAW = -1;
@@ -160,7 +160,7 @@ const char* WalkGuard::Objection(const Velocity& velocity) const {
   return IsBlind(velocity) && LeavesGround(then) ? UNSEEN : NULL;
 }
 
-// The robot reaches the obstacle after the delay and the way that it needs to slow down.
+// The robot reaches the obstacle only after the delay and the way that it needs to slow down.
 double WalkGuard::HighestForward() const {
   if (reports_with_obstacle_ < REPORTS) {
     return NOTHING_AHEAD;
@@ -170,7 +170,7 @@ double WalkGuard::HighestForward() const {
   return way <= 0 ? 0 : sqrt(Square(braking * DELAY) + 2 * braking * way) - braking * DELAY;
 }
 
-// A foot in the air is higher than the other one, and two diagonal feet at least are on the floor.
+// The floor under the lower front and hind foot. Feet in the air are higher, and two diagonal feet are on the floor.
 WalkGuard::Floor WalkGuard::FloorUnder(const LegAngles* legs) {
   Point front = {0, 0, 0};
   Point hind = {0, 0, 0};
@@ -187,7 +187,7 @@ WalkGuard::Floor WalkGuard::FloorUnder(const LegAngles* legs) {
   return floor;
 }
 
-// NOTHING_AHEAD at most.
+// The distance of the floor along a ray; NOTHING_AHEAD at most.
 double WalkGuard::Floor::AlongRay(const Point& origin, const Point& direction) const {
   const double above = origin.z - height - slope * origin.x;
   const double down = slope * direction.x - direction.z;
@@ -267,7 +267,7 @@ bool WalkGuard::IsLongOnFloor(const StepParameters& step, Leg leg, double phase)
   return Gait::IsOnFloor(step, leg, first - floor(first)) && Gait::IsOnFloor(step, leg, last - floor(last));
 }
 
-// Also for each velocity backward.
+// True if the robot would walk where no sensor looks, as with each velocity backward.
 bool WalkGuard::IsBlind(const Velocity& velocity) {
   return fabs(velocity.left) > MOST_SIDEWAYS * velocity.forward;
 }
@@ -278,7 +278,7 @@ void WalkGuard::Pose::TurnTo(double angle) {
   sine = sin(angle);
 }
 
-// Where the robot stops if it is told to stop now.
+// The pose in which the robot stops if it is told to stop now.
 WalkGuard::Pose WalkGuard::After(const Velocity& velocity) const {
   const double turn = velocity.turn * TIME_TO_STOP;
   Pose pose = pose_;
@@ -291,7 +291,7 @@ WalkGuard::Pose WalkGuard::After(const Velocity& velocity) const {
   return pose;
 }
 
-// A robot that is near an edge may walk away from it.
+// True if the robot comes to an edge. A robot that is near one may walk away from it.
 bool WalkGuard::ComesToEdge(const Pose& then) const {
   for (int i = 0; i < std::min<int>(edges_added_, MOST_EDGES); ++i) {
     const double way = ToFeet(then, edges_[i]);
@@ -302,7 +302,7 @@ bool WalkGuard::ComesToEdge(const Pose& then) const {
   return false;
 }
 
-// A foot that is off the known ground may come back.
+// True if a foot leaves the known ground. A foot that is off this ground may come back.
 bool WalkGuard::LeavesGround(const Pose& then) const {
   for (int i = 0; i < CORNERS; ++i) {
     const double off = ToGround(Corner(then, i));
@@ -338,7 +338,7 @@ WalkGuard::Place WalkGuard::Corner(const Pose& pose, int corner) const {
   return Outside(pose, inside);
 }
 
-// From the body's frame to the frame in which the robot remembers.
+// Converts from the body's frame to the frame in which the robot remembers.
 WalkGuard::Place WalkGuard::Outside(const Pose& pose, const Place& inside) {
   const Place outside = {pose.x + inside.x * pose.cosine - inside.y * pose.sine,
                          pose.y + inside.x * pose.sine + inside.y * pose.cosine};

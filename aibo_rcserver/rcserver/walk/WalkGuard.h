@@ -8,7 +8,7 @@
 #include "robot_model/head.h"
 #include "robot_model/legs.h"
 
-/// Change of a walk's velocity in a second, relative to the highest velocity. Our choice: all joints can follow.
+/// Change of a walk's velocity in a second, relative to the highest velocity. Our choice, which all joints can follow.
 const double SPEED_CHANGE = 1;
 
 /// Decides from the distance sensors, the paws and the way walked whether the robot may walk on.
@@ -18,39 +18,39 @@ const double SPEED_CHANGE = 1;
 /// - The head's sensors see what is in the way while the head looks ahead.
 /// - A paw that has touched the floor in its last steps, and now touches nothing, is beyond an edge.
 /// - No sensor looks back or to the sides. There the robot walks only over ground that it has just walked over, and
-///   4 cm of other ground. It remembers the places of edges, too, and turns without putting a foot there.
+///   over 4 cm of other ground. It remembers edges, too, and puts no foot there when it turns.
 ///
-/// It turns on the spot without seeing where its feet go. They leave the ground that they have stood on by up to 7 cm.
+/// The robot turns on the spot without seeing where its feet go. They leave the ground they stood on by up to 7 cm.
 ///
 /// Lengths are in metres and angles in radians, in the frames of robot_model/legs.h. All numbers are our choice.
 class WalkGuard {
  public:
   /// The measurements of one frame.
   struct Reading {
-    double chest;  ///< distances; 0 if the sensor has not measured
+    double chest;  ///< distances in m; 0 if the sensor has not measured
     double near;
     double far;
     robot_model::HeadAngles head;
-    bool paws[robot_model::NUMBER_OF_LEGS];  ///< pressed
+    bool paws[robot_model::NUMBER_OF_LEGS];  ///< true for each paw that is pressed
   };
 
-  /// @param gait must outlive this
+  /// @param gait must outlive the object
   explicit WalkGuard(const Gait& gait);
 
-  /// Call when the robot may have been moved to another place. It forgets where it has been.
+  /// Call this when the robot may have been moved to another place. The guard forgets the ground and the edges.
   void Forget();
 
-  /// Call for each report of the joints while the robot walks.
+  /// Call this for each report of the joints while the robot walks.
   /// @param walked the velocity of the feet since the last report
   /// @param commanded the velocity of the gait
-  /// @param frames of 8 ms since the last report
+  /// @param frames number of frames of 8 ms since the last report
   void HaveWalked(const protocol::version2::Velocity& walked, const protocol::version2::Velocity& commanded,
                   unsigned frames);
 
-  /// Call for each report of the sensors while the robot stands or walks.
-  /// @param legs where the legs are commanded, in the order of robot_model::Leg
+  /// Call this for each report of the sensors while the robot stands or walks.
+  /// @param legs the commanded angles of the legs, in the order of robot_model::Leg
   /// @param phase of the step, 0..1
-  /// @param step that the robot makes; NULL if it does not lift its feet
+  /// @param step the step that the robot makes; NULL if it does not lift its feet
   void Look(const Reading& reading, const robot_model::LegAngles* legs, double phase, const StepParameters* step);
 
   /// Why the robot must not walk with this velocity now, in words for the user; NULL if it may.
@@ -70,7 +70,7 @@ class WalkGuard {
     void TurnTo(double angle);
   };
 
-  /// Number of poses and edges that are remembered.
+  /// The numbers of poses and edges that are remembered.
   static const int MOST_POSES = 48;
   static const int MOST_EDGES = 32;
 
@@ -108,21 +108,21 @@ class WalkGuard {
   void AddEdge(const Place& place);
 
   const Gait& gait_;
-  Place front_corner_;  ///< where the left feet step at most, from the middle of the shoulders
+  Place front_corner_;  ///< where the left front foot steps at most, from the middle of the shoulders
   Place hind_corner_;
   Pose pose_;
   Pose poses_[MOST_POSES];
   int poses_added_;
   Place edges_[MOST_EDGES];
   int edges_added_;
-  int reports_without_floor_;  ///< in a row
+  int reports_without_floor_;  ///< how many in a row
   int reports_with_obstacle_;
   double reach_;                                 ///< how far ahead of the middle of the shoulders the robot's nose is
-  double obstacle_;                              ///< how far ahead of it something is in the way
-  int steps_felt_[robot_model::NUMBER_OF_LEGS];  ///< steps in which a paw has touched the floor, in a row
-  int reports_in_air_[robot_model::NUMBER_OF_LEGS];  ///< in which a paw should have touched it and has not, in a row
-  bool has_touched_[robot_model::NUMBER_OF_LEGS];    ///< in this step
-  int paw_without_floor_;                            ///< a robot_model::Leg, or NO_PAW
+  double obstacle_;                              ///< how far ahead of that middle something is in the way
+  int steps_felt_[robot_model::NUMBER_OF_LEGS];  ///< in how many steps in a row a paw has touched the floor
+  int reports_in_air_[robot_model::NUMBER_OF_LEGS];  ///< reports in a row in which a paw has missed the floor
+  bool has_touched_[robot_model::NUMBER_OF_LEGS];    ///< the paw has touched the floor in this step
+  int paw_without_floor_;                            ///< a robot_model::Leg without floor under its paw, or NO_PAW
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_WALK_WALK_GUARD_H

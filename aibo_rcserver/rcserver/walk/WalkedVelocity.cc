@@ -14,8 +14,8 @@ namespace {
 
 const double FRAME = robot_model::FRAME_MILLISECONDS * 1e-3;  // s
 
-// The part of the feet's way to the side that the body goes, because it rocks and the feet slip. The middle of many
-// robots and floors on the bench in test/physics.
+// The part of the feet's way to the side that the body goes. It is below 1 because the body rocks and the feet slip.
+// The value is the middle of many robots and floors on the bench in test/physics.
 const double SIDEWAYS = 0.92;
 
 const Velocity NO_VELOCITY = {0, 0, 0};
@@ -33,10 +33,10 @@ Point Mean(const Point* points, int count) {
   return mean;
 }
 
-// The rigid motion of the body that fits the feet on the floor best.
-// @param steps of the body, seen from each foot
-// @param count at least 2
-// @param seconds that the steps took
+// The rigid motion of the body that fits best to the feet on the floor.
+// @param steps the steps of the body, seen from each foot
+// @param count number of feet, at least 2
+// @param seconds the time that the steps took
 Velocity RigidVelocity(const Point* places, const Point* steps, int count, double seconds) {
   const Point place = Mean(places, count);
   const Point step = Mean(steps, count);
@@ -108,7 +108,7 @@ void WalkedVelocity::FindFeet(const LegAngles* legs, const bool* paws, Foot* fee
   }
 }
 
-// Chooses the feet that are on the floor until the next report. False if they are not known.
+// Chooses the feet that are on the floor until the next report; false if they are not known.
 bool WalkedVelocity::ChooseFeet(const Foot* next, bool* chosen) const {
   int pressed = 0;
   double was_higher = 0;  // by how much the first pair is higher than the other

@@ -28,25 +28,25 @@ namespace {
 
 const double FRAME = robot_model::FRAME_MILLISECONDS * 1e-3;  // s
 
-// Frames until joints have followed their commands. Commands are up to 8 frames ahead, and servos lag. Our choice.
+// Frames until joints have followed commands, which are up to 8 frames ahead, and servos lag. Our choice.
 const unsigned FRAMES_TO_FOLLOW = 25;
 
 // Frames after which the motors of a robot on its side go off: 1 s.
 const unsigned FRAMES_TO_SOFTEN = 125;
 
-// Frames until a robot that has rolled over lies still: the joints follow, and the body settles. Our choice.
+// Frames until the joints of a robot that has rolled over have followed, and its body lies still. Our choice.
 const int FRAMES_TO_SETTLE = 45;
 
-// How fast the correction of the velocity grows with what is missing, in 1/s, and the time in s over which that is
-// smoothed. Our choice: a lasting error of the legs is made up for in a step, and the swaying of a step has little
-// effect.
+// How fast the correction of the velocity grows with what is missing, in 1/s, and the time in s over which the missing
+// velocity is smoothed. With this choice, a lasting error of the legs is made up for within a step, and the swaying of
+// a step has little effect.
 const double CORRECTION_RATE = 3;
 const double SMOOTHING = 0.25;
 
 // Largest correction, as a share of the highest velocity. Our choice.
 const double CORRECTION_LIMIT = 0.3;
 
-// s; from the planned to the measured motion of the legs: commands wait for up to 8 frames, and servos lag by 3.
+// In s, from the planned to the measured motion of the legs: commands wait for up to 8 frames, and servos lag by 3.
 const double DELAY = 0.09;
 
 // The feet go to the side to which the robot leans more than it should: by this many metres for each radian, within
@@ -55,8 +55,8 @@ const double BALANCE = 0.24;
 const double BALANCE_TIME = 0.8;
 const double BALANCE_LIMIT = 0.015;
 
-// m; where the feet have gone farther, the ground slopes by 3 degrees or more, and a robot that walks too fast to trot
-// may fall.
+// In m; if the feet have been shifted by more than this, the ground slopes by 3 degrees or more, and a robot that walks
+// too fast to trot may fall.
 const double STEEP = 0.0125;
 
 const double GRAVITY = 9.81;  // m/s^2
@@ -73,7 +73,7 @@ double Towards(double value, double target, double step) {
   return value + std::min(std::max(target - value, -step), step);
 }
 
-// A value that follows another one within this time.
+// A value that follows another value with a delay of this time.
 double Following(double value, double target, double time, double seconds) {
   return value + (target - value) * seconds / (time + seconds);
 }
@@ -177,12 +177,12 @@ Velocity Walker::Steer(const Velocity& wanted, bool guarded, unsigned short numb
   walk_.has_next = false;
   walk_.ends = false;
   walk_.frames_since_steered = 0;
-  if (!guarded) {  // meanwhile it does not look
+  if (!guarded) {  // an unguarded walk does not look at the ground
     guard_.Forget();
   }
   walk_.is_guarded = guarded;
   Velocity asked = wanted;
-  if (guarded) {  // faster, it could not stop before what it sees
+  if (guarded) {  // if the robot walked faster, it could not stop before what it sees
     asked.forward = std::min(asked.forward, gait_.Parameters().highest.forward);
   }
   walk_.wanted = gait_.Limited(asked);
@@ -253,7 +253,7 @@ void Walker::NextFrame() {
     BeginNextStage();
   }
   if (activity_ == WALKING) {
-    const int slow = legs_.FindSlow();  // the gait comes close to the highest speeds
+    const int slow = legs_.FindSlow();  // the gait needs nearly the highest speeds of the joints
     if (slow != NO_JOINT) {
       const EndReason reason = {END_REFUSED, "the speed limit of %s is too low for walking", robot_.joints[slow].name};
       if (!walk_.ends) {
@@ -277,7 +277,7 @@ void Walker::Measured(const FallWatch::Reading& reading, const int* positions, u
   if (route_.gets_up && lies && route_.attempts < ATTEMPTS) {
     route_.plans_again = route_.plans_again || (!route_.rolls && FallWatch::IsFallen(fall_watch_.Last()));
   } else if (route_.gets_up && lies && (route_.rolls || !FallWatch::IsFallen(fall_watch_.Last()))) {
-    // This is the last attempt, or the robot is on its belly already, and the verdict is late.
+    // The attempts are used up, or the robot is on its belly already and the verdict comes late.
   } else if (fall != FallWatch::UPRIGHT) {
     const EndReason reason = EndReason::Of(END_FELL, FallWatch::Words(fall));
     orders_.DemandLettingGo(reason);
@@ -296,7 +296,7 @@ void Walker::Measured(const FallWatch::Reading& reading, const int* positions, u
   rest_.is_over = rest_.lies && frame - rest_.since >= FRAMES_TO_FOLLOW;
 }
 
-// A robot that has been somewhere else knows nothing about the ground around it.
+// Makes the guard forget the ground if the robot has been somewhere else.
 void Walker::HaveLooked(const WalkGuard::Reading& reading) {
   if (!CanWalk() || !walk_.is_guarded) {
     return;
@@ -368,7 +368,7 @@ protocol::version2::WalkState Walker::State() const {
   return activity_ == WALKING ? protocol::version2::WALK_STATE_WALKS : protocol::version2::WALK_STATE_GETS_READY;
 }
 
-// Begins an order in place of what is being done. A walk that was to end anyway ends for its own reason.
+// Begins an order in place of the present one. A walk that was to end anyway ends for its own reason.
 void Walker::ReplaceOrder(const EndReason& reason, unsigned char what, unsigned short number, const char* name) {
   orders_.End(order_, IsWalk() && walk_.ends && !walk_.has_next ? walk_.end_reason : reason);
   order_ = orders_.Begin(what, number, name);
@@ -389,7 +389,7 @@ void Walker::Begin(bool is_walk, Posture posture) {
   BeginNextStage();
 }
 
-// Finds the route from here to the posture, or to the belly.
+// Finds the route from here to the posture or, if the robot rolls, to its belly.
 void Walker::PlanRoute(bool lies_down) {
   route_.plans_again = false;
   route_.begun = 0;
@@ -449,7 +449,7 @@ bool Walker::HaveArrived() {
   return legs_.HaveArrived() && route_.frames_to_settle-- <= 0;
 }
 
-// Only the first reason is kept.
+// Makes the walk end in the stand. If it is ending already, the first reason stays.
 void Walker::EndWalkInStand(const EndReason& reason) {
   if (IsWalk() && !walk_.ends) {
     walk_.ends = true;
@@ -502,7 +502,7 @@ void Walker::ChangeVelocity() {
   }
 }
 
-// A little in each frame: a foot must not jump.
+// Corrects the velocity a little in each frame, because a foot must not jump.
 void Walker::CorrectVelocity() {
   const protocol::version2::WalkLimits& limits = gait_.Parameters().highest;
   walk_.pace.correction.forward = Corrected(walk_.pace.correction.forward, walk_.pace.missing.forward, limits.forward);
@@ -520,9 +520,9 @@ void Walker::CompareVelocity(unsigned frames) {
   walk_.pace.missing = Following(walk_.pace.missing, missing, SMOOTHING, seconds);
 }
 
-// The accelerometer measures gravity only on average, because each foot that touches down shakes the body.
+// Averages the accelerometer, which shows gravity only on average, because each foot that touches down shakes the body.
 void Walker::FeelLean(const FallWatch::Reading& reading, unsigned frames) {
-  if (reading.up > 0) {  // it is 0 without an accelerometer
+  if (reading.up > 0) {  // without an accelerometer, it is 0
     const double ahead = -reading.forward / GRAVITY - gait_.NoseDown(walk_.pace.velocity);
     walk_.pace.lean.x = Following(walk_.pace.lean.x, ahead, SMOOTHING, frames * FRAME);
     walk_.pace.lean.y = Following(walk_.pace.lean.y, -reading.left / GRAVITY, SMOOTHING, frames * FRAME);

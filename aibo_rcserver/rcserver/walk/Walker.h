@@ -23,22 +23,22 @@
 /// A walk begins and ends in the stand. From any other posture, the robot first rises slowly. The velocity can change
 /// by the highest velocity in a second. A walk that is not steered for STEERING_TIMEOUT_MS ends.
 ///
-/// Motors lag and yield, so the legs walk at a different velocity from the one commanded. It is measured, and the
-/// command is made faster, slower or more to one side until the measured velocity is the wanted one. The accelerometer
-/// tells how the robot leans, and its feet go nearer to that side.
+/// Motors lag and yield, so the legs walk at a different velocity from the one commanded. This velocity is measured,
+/// and the command is made faster, slower or more to one side until the measured velocity is the wanted one. The
+/// accelerometer tells to which side the robot leans, and the feet are placed nearer to that side.
 ///
 /// A robot that lies on a side or its back can take no posture but the stand: it rolls onto its belly first. If a joint
-/// cannot follow on the route to a posture, it yields, and the robot tries another route.
+/// cannot follow on the route to a posture, the joint yields, and the robot tries another route.
 ///
 /// The planner enforces all limits, as for motions and commands.
 class Walker {
  public:
-  /// Highest speed of a joint on the route to a posture, in microradian/s: 45 degrees per second. Our choice: half of
-  /// the speed of motions, because the legs carry the robot.
+  /// Highest speed of a joint on the route to a posture, in microradian/s: 45 degrees per second. We chose half of the
+  /// speed of motions, because the legs carry the robot.
   static const int POSTURE_SPEED = 785398;
 
-  /// The same while the legs do not carry the robot, 90 degrees per second, and twice that while it gets up from a side
-  /// or its back, except that it does not push so hard that it rolls too far. Our choice: it is up within 10 s.
+  /// The highest speed while the legs do not carry the robot: 90 degrees per second. While the robot gets up from a
+  /// side or its back, it moves twice as fast, so that it is up within 10 s, but does not push harder. Our choice.
   static const int UNLOADED_SPEED = 2 * POSTURE_SPEED;
 
   /// How often a robot tries to get up, or to get around a joint that does not follow. Our choice.
@@ -48,10 +48,10 @@ class Walker {
   static const int STEERING_FRAMES =
       (static_cast<int>(protocol::version2::STEERING_TIMEOUT_MS) - 1) / robot_model::FRAME_MILLISECONDS + 1;
 
-  /// All must outlive this.
+  /// All arguments must outlive the object.
   Walker(JointPlanner& planner, const robot_model::RobotModel& robot, OrderBook& orders);
 
-  /// False if the robot's legs are not an ERS-7's. Then only functions that read the state may be called.
+  /// False if the robot's legs are not an ERS-7's. In that case, only functions that read the state may be called.
   bool CanWalk() const { return legs_.AreThere(); }
 
   /// The numbers of the gait, with its limits.
@@ -60,9 +60,9 @@ class Walker {
   /// An error text that tells the user why the robot cannot take this posture now; NULL if it can.
   const char* Problem(protocol::version2::Posture posture);
 
-  /// The same for a walk. Call it each time that the robot is told to walk: if there is a problem, the client has to
-  /// let go first (OrderBook).
-  /// @param guarded the velocity to which WalkGuard may object, or NULL
+  /// Does the same for a walk. Call this each time that the robot is told to walk: if there is a problem, the client
+  /// has to let go first (OrderBook).
+  /// @param guarded the velocity if WalkGuard may object to it, or NULL
   const char* ProblemOfWalk(bool motors_are_on, const protocol::version2::Velocity* guarded = NULL);
 
   /// Starts a walk, or changes its velocity. A zero velocity lets go: it ends the walk, and is ignored without a walk.
@@ -91,11 +91,11 @@ class Walker {
   /// Ends the walk or posture at once: the legs brake, stop and hold.
   void Stop(const EndReason& reason);
 
-  /// The same when the motors are being switched off. A robot that has lain down to rest has then finished.
+  /// Does the same when the motors are being switched off. A robot that has lain down to rest has then finished.
   void MotorsGoOff(const EndReason& reason);
 
-  /// Call when the client is gone. A walk ends in the stand, and a posture ends at once. Lying down to rest continues,
-  /// because a robot that stays half crouched with its motors on gets hot.
+  /// Call this when the client is gone. A walk ends in the stand, and a posture ends at once. Lying down to rest
+  /// continues, because a robot that stays half crouched with its motors on gets hot.
   void ClientGone();
 
   /// True if this is a joint of a leg.
@@ -104,35 +104,35 @@ class Walker {
   /// True if the head has to be levelled for a posture, because the robot lies down to rest or gets up.
   bool NeedsLevelHead(protocol::version2::Posture posture) const;
 
-  /// True if this joint is one of those that are levelled then.
+  /// True if this joint is one of those of the head that are levelled.
   bool IsOfHead(int joint) const { return head_.Has(joint); }
 
   /// True if this joint is levelled in the posture that the robot was told to take last.
   bool Levels(int joint) const { return head_.Levels(joint); }
 
-  /// Call when the joint gets another command. It is not levelled any more.
+  /// Call this when the joint gets another command. It is not levelled any more.
   void LeaveAlone(int joint) { head_.LeaveAlone(joint); }
 
   /// True while the robot walks or takes a posture.
   bool IsActive() const { return activity_ != IDLE; }
 
-  /// The same, but false while the robot only waits for its motors to go off.
+  /// The same as IsActive(), but false while the robot only waits for its motors to go off.
   bool IsMoving() const { return activity_ != IDLE && !rest_.lies; }
 
-  /// Call when a joint does not follow.
-  /// @return true if it may yield, because the robot now tries another route to its posture
+  /// Call this when a joint does not follow its commands.
+  /// @return true if the joint may yield, because the robot now tries another route to its posture
   bool TriesAnotherRoute(int joint);
 
-  /// Sets the targets for the next frame. Call once in each frame, before JointPlanner::NextFrame().
+  /// Sets the targets for the next frame. Call this once in each frame, before JointPlanner::NextFrame().
   void NextFrame();
 
-  /// Call for each report of the sensors. A robot that has fallen or is carried stops.
-  /// @param reading of the accelerometer and the paws
-  /// @param positions where the joints are, by the robot's table
+  /// Call this for each report of the sensors. A robot that has fallen or is carried stops.
+  /// @param reading the reading of the accelerometer and the paws
+  /// @param positions the joints' positions by the robot's table
   /// @param frame OPEN-R frame
   void Measured(const FallWatch::Reading& reading, const int* positions, unsigned frame);
 
-  /// Checks the distance sensors and the paws. A guarded walk ends where it must not go on. Call it after Measured().
+  /// Checks the distance sensors and the paws. A guarded walk ends where it must not go on. Call this after Measured().
   void HaveLooked(const WalkGuard::Reading& reading);
 
   /// True if the motors must go off because the robot has lain down to rest or GoesSoft(). MotorsGoOff() confirms.
@@ -148,10 +148,10 @@ class Walker {
   const FallWatch& Fall() const { return fall_watch_; }
 
   /// The robot's current posture.
-  /// @param positions where its joints are, by the robot's table
+  /// @param positions the joints' positions by the robot's table
   protocol::version2::Posture Now(const int* positions) const;
 
-  /// @name What telemetry says
+  /// @name The state for telemetry
   /// @{
   protocol::version2::WalkState State() const;
   double Phase() const { return activity_ == WALKING ? walk_.pace.phase : 0; }
@@ -167,39 +167,39 @@ class Walker {
   struct Pace {
     protocol::version2::Velocity velocity;
     protocol::version2::Velocity expected;    ///< what should be measured now
-    protocol::version2::Velocity missing;     ///< what is not measured of it, smoothed
-    protocol::version2::Velocity correction;  ///< of velocity, so that it is measured
-    robot_model::Point lean;                  ///< radian; more than it should, to the front and to the left, smoothed
-    robot_model::Point shift;                 ///< of the feet, to where the robot leans
+    protocol::version2::Velocity missing;     ///< the part of it that is not measured, smoothed
+    protocol::version2::Velocity correction;  ///< added to `velocity`, so that `velocity` is measured
+    robot_model::Point lean;                  ///< radian; to the front and to the left, beyond what should be, smoothed
+    robot_model::Point shift;                 ///< how far the feet are shifted to where the robot leans
     double effort;
     double phase;
   };
 
-  /// The route to a posture or, if it rolls, onto the belly.
+  /// The route to a posture or, if the robot rolls, onto the belly.
   struct Route {
     Postures::Stage stages[Postures::MAX_ROUTE];
     int size;
-    int begun;             ///< number of its stages that have begun
-    bool gets_up;          ///< from a side or its back
+    int begun;             ///< number of stages that have begun
+    bool gets_up;          ///< the robot gets up from a side or its back
     bool rolls;            ///< the route ends on the belly
-    int attempts;          ///< routes that have begun
+    int attempts;          ///< number of routes that have begun
     bool plans_again;      ///< a joint did not follow
     int frames_to_settle;  ///< until the robot lies still at the route's end
   };
 
   /// A robot that has lain down to rest.
   struct Rest {
-    bool lies;       ///< it lies, and waits until the joints have followed
+    bool lies;       ///< the robot lies, and waits until the joints have followed
     bool is_over;    ///< the joints have followed
-    unsigned since;  ///< frame of the last measurement before it lay
+    unsigned since;  ///< frame of the last measurement before the robot lay
   };
 
   /// The walk that goes on, or the last one.
   struct Steering {
     bool is_guarded;
-    bool ends;  ///< it ends in the stand, for end_reason
+    bool ends;  ///< the walk ends in the stand, for end_reason
     EndReason end_reason;
-    bool has_next;  ///< the posture next follows the walk, and is the order
+    bool has_next;  ///< the posture `next` follows the walk, and is the order
     protocol::version2::Posture next;
     protocol::version2::Velocity wanted;
     Pace pace;
@@ -243,7 +243,7 @@ class Walker {
   char problem_[OrderBook::MAX_TEXT_SIZE];
   int order_;  ///< NO_ORDER if nothing is done, or if the client has gone before its posture could begin
   bool is_walk_;
-  protocol::version2::Posture posture_;  ///< if this is not a walk
+  protocol::version2::Posture posture_;  ///< the posture, unless the robot walks
   Route route_;
   Steering walk_;
 };
