@@ -58,7 +58,7 @@ struct Options {
   simulated_ers7::SimulatedErs7Options robot;
 };
 
-// The memory stick's folder is built and installed beside lib/aibo_driver.
+// The folder of the memory stick, which is built and installed beside lib/aibo_driver.
 std::string ownMemoryStick() {
   const std::filesystem::path executable = std::filesystem::read_symlink("/proc/self/exe");
   return (executable.parent_path() / "../../share/aibo_driver/memory_stick").lexically_normal().string();
@@ -106,7 +106,7 @@ po::options_description describe(Options& options) {
   return description;
 }
 
-// roslaunch adds arguments such as name:=value.
+// The arguments without those that roslaunch adds, such as name:=value.
 std::vector<std::string> withoutRosArguments(int argc, char** argv) {
   std::vector<std::string> arguments(argv + 1, argv + argc);
   const auto is_ros = [](const std::string& argument) { return argument.find(":=") != std::string::npos; };
@@ -144,7 +144,7 @@ void parse(const po::options_description& description, const std::vector<std::st
   }
 }
 
-// RCServer need not be on the memory stick.
+// True if RCServer runs. It need not be on the memory stick.
 bool runsRCServer(const std::string& memory_stick, const std::string& design) {
   const std::string path = openr_host::findOnMemoryStick(memory_stick, "OPEN-R/MW/CONF/OBJECT.CFG").string();
   std::istringstream file = openr_host::openConfiguration(path);
@@ -207,7 +207,7 @@ openr_host::MachineOptions machineOptions(const Options& options, const simulate
 void announce(const openr_host::Machine& machine, const openr_host::MachineOptions& asked, const Options& options) {
   for (const auto& ports : asked.ports) {
     const int port = machine.hostPort(ports.first);
-    // Objects print the robot's port, but do not know the computer's.
+    // Objects print the robot's port, but do not know the computer's port.
     if (port != ports.first && ports.first != openr_host::kConsolePort) {
       std::cout << "Port " << ports.first << " of the robot is port " << port << " of this computer\n";
     }
@@ -254,7 +254,7 @@ ssize_t readInput(void* /*unused*/, char* buffer, std::size_t size) {
   return count;
 }
 
-// Sony's samples repeat a question until they get an answer, for ever if there is no more input.
+// Ends with the input: Sony's samples repeat a question until they get an answer, even if no more input can come.
 void endWithInput() {
   stdin = fopencookie(nullptr, "r", {readInput, nullptr, nullptr, nullptr});
   static __gnu_cxx::stdio_sync_filebuf<char> input(stdin);
@@ -274,7 +274,7 @@ void run(const Options& options) {
   host.newest_version = options.protocol_version;
   host.memory_stick = options.memory_stick.c_str();
   host.room = robot.stick().room();
-  host.open_to_read = host_files::openToRead;  // there are neither pipes nor devices on a robot's stick
+  host.open_to_read = host_files::openToRead;  // a robot's stick has neither pipes nor devices
   setHostSettings(host);
   stopOnSignal(machine);
   endWithInput();
@@ -288,7 +288,7 @@ void run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  signal(SIGPIPE, SIG_IGN);  // a robot continues when nobody reads its console
+  signal(SIGPIPE, SIG_IGN);  // a robot goes on when nobody reads its console
   try {
     Options options;
     const po::options_description description = describe(options);

@@ -11,7 +11,7 @@
 #include "RCServer_stub.h"
 #include "simulator/openr_host/object_description.h"
 
-/// For MachineOptions::catalog. The objects read hostSettings().
+/// The objects for MachineOptions::catalog. They read hostSettings().
 inline std::map<std::string, openr_host::ObjectDescription> objectCatalog() {
   return {{"RCSERVER.BIN", describeRCServer()},
           {"ENCODER.BIN", describePictureEncoder()},

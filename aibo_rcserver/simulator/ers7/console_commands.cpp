@@ -102,7 +102,7 @@ bool obey(SimulatedErs7& robot, const std::string& command, const std::string& o
   return true;
 }
 
-/// Such as "0.1234 -0.0450 1.5708".
+/// Writes a place as in "0.1234 -0.0450 1.5708".
 std::string toText(const Place& place) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(4) << place.x << " " << place.y << " "

@@ -15,11 +15,11 @@ namespace simulated_ers7 {
 /// Reusable regions for the robot's data. The pool grows to the number of regions that observers keep. Not thread-safe.
 class RegionPool {
  public:
-  /// @param size of each region, in bytes
+  /// @param size the size of each region, in bytes
   /// @param prepare writes a region's constant part once
   RegionPool(std::size_t size, std::function<void(RCRegion*)> prepare) : size_(size), prepare_(std::move(prepare)) {}
 
-  /// A region to which only the pool refers. It is new if all others are in use.
+  /// A region to which only the pool refers. A new one is made if all others are in use.
   RCRegion* freeRegion() {
     for (const auto& region : regions_) {
       if (region->NumberOfReference() == 1) {

@@ -43,7 +43,7 @@ ODataType typeOf(robot_model::SensorKind kind) {
   return odataNO_DIMENSION;
 }
 
-/// The joints, then the sensors that are primitives.
+/// The entries of a sensor frame: the joints, then the sensors that are primitives.
 std::vector<SensorFrameEntry> sensorFrameEntries(const robot_model::RobotModel& model) {
   std::vector<SensorFrameEntry> entries;
   entries.reserve(static_cast<std::size_t>(model.number_of_joints) + static_cast<std::size_t>(model.number_of_sensors));
@@ -267,7 +267,7 @@ void SimulatedErs7::obey(const openr_host::EffectorCommand& command) {
     case PrimitiveKind::kLed:
       return simulated_ers7::obey(command, &leds_[primitive.index]);
     case PrimitiveKind::kEar:
-      // JOINT_COMMAND3 has the state at the same place.
+      // JOINT_COMMAND3 has the state at the same offset.
       return ears_[primitive.index].energise(valueOf<OJointCommandValue4>(command).value == ojoint4_STATE1);
     case PrimitiveKind::kCamera:
     case PrimitiveKind::kSensor:

@@ -1,7 +1,7 @@
 /// @file simulated_ers7.h
 /// A simulated Sony Aibo ERS-7 for openr_host::Machine.
 ///
-/// It has a camera, 18 joints (joint.h), sensors (sensors.h), LEDs, ears, a battery, microphones and a speaker
+/// This robot has a camera, 18 joints (joint.h), sensors (sensors.h), LEDs, ears, a battery, microphones and a speaker
 /// (speaker_and_microphones.h). It stands in a room and looks at a ball that rolls back and forth (scene.h), or its
 /// camera shows photographs (photographs.h). The legs lift and tilt the body, and carry it through the room (travel.h).
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_SIMULATED_ERS7_H
@@ -56,7 +56,7 @@ struct SimulatedErs7Options {
 /// The power button on the back. Objects see it as orsbPAUSE.
 constexpr char kPauseButton[] = "pause";
 
-/// Not thread-safe; the machine's thread makes all calls.
+/// The class is not thread-safe; the machine's thread makes all calls.
 class SimulatedErs7 : public openr_host::VirtualRobot {
  public:
   using Options = SimulatedErs7Options;
@@ -71,8 +71,8 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   OStatus controlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param, size_t param_size, void* result,
                            size_t result_size) override;
 
-  /// The following functions are for joints (joint.h). oprimitiveID_UNDEF means all open joints; if several fail, one
-  /// of the errors is returned. A primitive that is not open or is not a joint gives oINVALID_PRIMITIVE_ID.
+  /// The following functions are for joints (joint.h). oprimitiveID_UNDEF means all open joints; if several joints
+  /// fail, one of the errors is returned. A primitive that is not open or is not a joint gives oINVALID_PRIMITIVE_ID.
   OStatus setJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is, word ds) override;
 
   OStatus setDefaultJointGain(OPrimitiveID id) override;
@@ -80,7 +80,7 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   OStatus disableJointGain(OPrimitiveID id) override;
 
   /// The reading at the end of the last frame.
-  /// @param id one joint
+  /// @param id the number of one joint
   OStatus getJointValue(OPrimitiveID id, OJointValue* value) override;
 
   /// The reading at the end of the last frame.
@@ -99,14 +99,14 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   /// odataLED_COMMAND3, ears odataJOINT_COMMAND3 or odataJOINT_COMMAND4, depending on their kind in robot_model.h.
   bool takesCommand(OPrimitiveID id, ODataType type) const override;
 
-  /// Ignores commands that are no longer accepted.
+  /// Lets a frame pass. Commands that are not accepted any more are ignored.
   void passFrame(longword frame, const openr_host::EffectorCommands& commands) override;
   RCRegion* captureSensors(longword frame) override;
 
   bool cameraImageDue(longword frame) override;
   longword nextCameraImage(longword frame) const override { return imageAfter(frame); }
 
-  /// Shows the view after the last frame that passed.
+  /// Takes an image, which shows the view after the last frame that passed.
   RCRegion* captureImage(longword frame) override;
 
   std::optional<OSpeakerSoundType> soundTypeOf(OPrimitiveID id) const override;
@@ -123,18 +123,18 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   /// The joints, with their true positions.
   const Joints& joints() const { return joints_; }
 
-  /// The true pose.
+  /// The robot's true pose.
   const Place& pose() const { return travel_.place(); }
 
-  /// How it stands and moves in the room.
+  /// How the robot stands and moves in the room.
   const Travel& travel() const { return travel_; }
   const Scene& scene() const { return scene_; }
 
-  /// @param name in robot_model.h, such as "face_1"
+  /// @param name the name in robot_model.h, such as "face_1"
   /// @throw std::invalid_argument there is no such LED
   const Led& led(const std::string& name) const;
 
-  /// @param name in robot_model.h, such as "left_ear"
+  /// @param name the name in robot_model.h, such as "left_ear"
   /// @throw std::invalid_argument there is no such ear
   const Ear& ear(const std::string& name) const;
 
@@ -145,14 +145,14 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   /// @param charge 0..1
   void setCharge(double charge) { battery_.setCharge(charge); }
 
-  /// See travel.h.
+  /// These functions do what those of Travel do.
   void lift(bool lifted) { travel_.lift(lifted); }
   void lie(Side side) { travel_.lie(side); }
 
   StickSlot& stick() { return stick_; }
   const StickSlot& stick() const { return stick_; }
 
-  /// @param joint its name in robot_model.h, such as "head_pan"
+  /// @param joint the joint's name in robot_model.h, such as "head_pan"
   /// @throw std::invalid_argument there is no such joint
   void jam(const std::string& joint, bool jammed) { joints_.named(joint).jam(jammed); }
 

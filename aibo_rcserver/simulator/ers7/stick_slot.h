@@ -21,7 +21,7 @@ enum class StickState {
 /// The state of the memory stick as OPEN-R's programs see it. Its content is a folder on this computer.
 class StickSlot {
  public:
-  /// Longer than any known job on a real stick.
+  /// How long a job takes on a slow stick: longer than any known job on a real one.
   static constexpr std::chrono::milliseconds kSlowJob{2000};
 
   void set(StickState state) {
@@ -29,7 +29,7 @@ class StickSlot {
     room_ = state == StickState::kFull ? 0 : std::numeric_limits<std::size_t>::max();
   }
 
-  /// For OPENR::GetMemoryStickStatus().
+  /// The status for OPENR::GetMemoryStickStatus().
   OMemoryStickStatus status() const {
     if (state_ == StickState::kOut) {
       return omemorystickNOT_EXIST;
@@ -37,7 +37,7 @@ class StickSlot {
     return state_ == StickState::kLocked ? omemorystickWRITE_PROTECTED : omemorystickWRITABLE;
   }
 
-  /// Bytes that still fit (HostSettings::room).
+  /// How many bytes still fit (HostSettings::room).
   const std::size_t* room() const { return &room_; }
 
   /// How long a job takes, unless something else takes longer.

@@ -15,7 +15,7 @@ namespace openr_host {
 constexpr std::chrono::milliseconds kFramePeriod{8};
 constexpr double kFrameSeconds = 0.008;
 
-/// Called after an object has handled data from another one. Returns how long that keeps the object busy, 0 or more.
+/// Called after an object has handled data from another one. Returns how long this keeps the object busy, 0 or more.
 /// @param object the object's name
 using HandlerTime = std::function<std::chrono::nanoseconds(const std::string& object)>;
 
@@ -23,7 +23,7 @@ class Clock {
  public:
   virtual ~Clock() = default;
 
-  /// Since the clock was created.
+  /// The time since the clock was created.
   virtual std::chrono::nanoseconds now() const = 0;
 
   /// When the steady clock reaches `since_begin`; empty for a SteppedClock, which cannot know.
@@ -31,7 +31,7 @@ class Clock {
 
   longword frame() const { return static_cast<longword>(now() / kFramePeriod); }
 
-  /// Empty like timeOf().
+  /// When a frame begins; empty if timeOf() is.
   std::optional<std::chrono::steady_clock::time_point> beginOf(longword frame) const {
     return timeOf(frame * std::chrono::nanoseconds(kFramePeriod));
   }
@@ -49,7 +49,7 @@ class WallClock : public Clock {
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-/// Stands still until it is stepped. In tests, call step(), then Machine::runPending(), on the same thread.
+/// Stands still until it is stepped. Tests call step(), then Machine::runPending(), on the same thread.
 class SteppedClock : public Clock {
  public:
   std::chrono::nanoseconds now() const override { return frame_ * std::chrono::nanoseconds(kFramePeriod); }
@@ -57,8 +57,8 @@ class SteppedClock : public Clock {
     return std::nullopt;
   }
 
-  /// Advances by these frames at once, as a WallClock does after the process was delayed. To let the machine see every
-  /// frame, run it after each.
+  /// Advances by this many frames at once, as a WallClock does after the process was delayed. If the machine is to see
+  /// every frame, run it after each.
   void step(longword frames = 1) { frame_ += frames; }
 
  private:

@@ -89,7 +89,7 @@ void Console::obey(Listener& listener, const std::string& line) {
   }
 }
 
-/// If a listener's first line is not a command, it and later lines may come from a web page.
+/// Refuses a listener whose first line is not a command, because this line and later ones may come from a web page.
 void Console::refuse(Listener& listener, const std::string& why) {
   print(listener, "error: " + why + "\n");
   if (!listener.is_known) {
@@ -101,7 +101,7 @@ void Console::acceptListeners() {
   while (auto connection = port_->accept()) {
     Listener listener;
     listener.socket = std::move(connection->socket);
-    // A terminal may be halted for longer than a client may be silent. It still answers the kernel's probes.
+    // A terminal may be halted for longer than a client may be silent, and still answers the kernel's probes.
     const int unlimited = 0;
     setsockopt(listener.socket.get(), IPPROTO_TCP, TCP_USER_TIMEOUT, &unlimited, sizeof(unlimited));
     if (listeners_.size() < kMostListeners) {

@@ -26,13 +26,13 @@ constexpr std::uint16_t kConsolePort = 59000;
 /// disconnected and not obeyed.
 class Console {
  public:
-  /// A further listener gets a message and is disconnected.
+  /// The most listeners. Any other one gets a message and is disconnected.
   static constexpr std::size_t kMostListeners = 8;
 
-  /// Bytes kept for a listener that does not read. It loses further text, and is told so.
+  /// How many bytes are kept for a listener that does not read. It loses further text, and is told so.
   static constexpr std::size_t kMostUnread = 64 * 1024;
 
-  /// Most characters in a typed line. A longer one is answered by an error.
+  /// The most characters in a typed line. A longer line is answered by an error.
   static constexpr std::size_t kLongestLine = 256;
 
   /// Called with a typed line, without its end. The result is printed only to that listener; it is empty if there is no
@@ -40,7 +40,7 @@ class Console {
   using OnLine = std::function<std::optional<std::string>(const std::string& line)>;
 
   /// @param output may be null
-  /// @param on_line may be empty; then typed lines are ignored
+  /// @param on_line may be empty; in that case typed lines are ignored
   Console(std::ostream* output, OnLine on_line) : output_(output), on_line_(std::move(on_line)) {}
 
   /// Opens a port of this computer for listeners.
@@ -59,8 +59,8 @@ class Console {
     FileDescriptor socket;
     std::string unsent;
     std::size_t lost = 0;   ///< prints that did not fit
-    std::string typed;      ///< the unfinished line; at most one character too long
-    bool is_known = false;  ///< it has typed a command
+    std::string typed;      ///< the unfinished line, which is at most one character too long
+    bool is_known = false;  ///< the listener has typed a command
   };
 
   static void print(Listener& listener, const std::string& text);

@@ -37,10 +37,10 @@ std::string portProblem(const std::string& bind_address, std::uint16_t robot_por
   return where + " cannot be used: " + std::generic_category().message(error) + " (" + option + ", --bind)";
 }
 
-/// Loads an object that scripts/openr_object has built: a shared library with the function describeLoadedObject(). It
-/// is unloaded with the last copy of the description, so that the object's static data begins anew at each boot, as on
-/// the robot.
-/// @throw std::runtime_error it is none; the text names the file and a remedy
+/// Loads an object that scripts/openr_object has built: a shared library with the function describeLoadedObject(). The
+/// library is unloaded with the last copy of the description, so that the object's static data begins anew at each
+/// boot, as on the robot.
+/// @throw std::runtime_error the file is no such library; the text names the file and a remedy
 ObjectDescription loadObject(const std::string& file) {
   const std::shared_ptr<void> library(dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL),
                                       [](void* handle) { handle != nullptr ? dlclose(handle) : 0; });
@@ -98,7 +98,7 @@ void Machine::load() {
   system_->start();
 }
 
-/// A typed line acts on the present robot, so the frames that have passed are handled first.
+/// Handles the frames that have passed before a typed line, which acts on the present robot.
 std::function<std::optional<std::string>(const std::string& line)> Machine::consoleListener() {
   if (!options_.on_console_line) {
     return nullptr;
@@ -201,8 +201,8 @@ bool Machine::runUntil(const std::function<bool()>& done, std::chrono::milliseco
   return true;
 }
 
-/// Handles the frame, the messages, then the sockets. If there was nothing else, waits for sockets until `latest`. It
-/// does not wait after messages: the caller of runUntil() may be waiting for them.
+/// Handles the frame, the messages, then the sockets. If there was nothing else, waits for sockets until `latest`.
+/// After messages it does not wait, because the caller of runUntil() may be waiting for them.
 /// @return false if there was nothing to handle
 bool Machine::handle(const Deadline& latest) {
   const bool had_messages = handleMessages();

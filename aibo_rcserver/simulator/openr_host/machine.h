@@ -30,14 +30,14 @@ class VirtualRobotAudioComm;
 class VirtualRobotComm;
 struct ServiceConnection;
 
-/// The memory stick cannot be booted. The text names the file and line, or the port, and says what to do.
+/// Thrown if the memory stick cannot be booted. The text names the file and line, or the port, and a remedy.
 class BootError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
 struct MachineOptions {
-  /// This computer's address for clients. "0.0.0.0" means all addresses.
+  /// The address of this computer for clients. "0.0.0.0" means all addresses.
   std::string bind_address = "127.0.0.1";
 
   /// For each port of the robot, the port of this computer; 0 means any free one (Machine::hostPort()). boot() opens
@@ -49,21 +49,21 @@ struct MachineOptions {
   /// beside it, and FindDesignData() needs DESIGNDB.CFG.
   std::string memory_stick;
 
-  /// The objects for the files in OBJECT.CFG, by name in capitals: {"RCSERVER.BIN", describeRCServer()}. Others are
-  /// loaded from OPEN-R/MW/OBJS on the memory stick.
+  /// The objects for the files in OBJECT.CFG, by name in capitals: {"RCSERVER.BIN", describeRCServer()}. Other objects
+  /// are loaded from OPEN-R/MW/OBJS on the memory stick.
   std::map<std::string, ObjectDescription> catalog;
 
-  /// Gets what the console prints. May be null; must outlive the machine.
+  /// The stream for what the console prints. It may be null, and must outlive the machine.
   std::ostream* console = nullptr;
 
-  /// Called with each line typed at the console, without its end. Returns the answer, which is empty if there is no
-  /// such command. If empty itself, typed lines are ignored, as on the robot. Called by the thread that runs the
-  /// machine; must not throw.
+  /// Called with each line typed at the console, without its end. It returns the answer, which is empty if there is no
+  /// such command. Without a function, typed lines are ignored, as on the robot. The thread that runs the machine calls
+  /// it, and it must not throw.
   std::function<std::optional<std::string>(const std::string& line)> on_console_line;
 
   /// How long objects take; if empty, no time. A busy object gets no message (Level2 Reference Guide, chapter 1), and
-  /// what it has sent leaves it when it has finished. Meanwhile all others run, as those of a higher scheduling class
-  /// do.
+  /// what it has sent leaves it when it has finished. Meanwhile all other objects run, as those of a higher scheduling
+  /// class do.
   HandlerTime handler_time;
 };
 
@@ -80,8 +80,8 @@ class Machine {
   Machine& operator=(const Machine&) = delete;
 
   /// Reads OBJECT.CFG and CONNECT.CFG, opens the ports, and creates the objects. Calls DoInit of all objects in the
-  /// order of OBJECT.CFG, connects them, and calls DoStart of all. Possible again after shutdown().
-  /// @throw BootError nothing is left running
+  /// order of OBJECT.CFG, connects them, and calls DoStart of all. After shutdown(), boot() may be called again.
+  /// @throw BootError the boot failed, and nothing is left running
   void boot();
 
   /// Handles events until stop(), or until an object shuts the robot down (OPENR::Shutdown()). The console reports the
@@ -95,18 +95,18 @@ class Machine {
   /// Makes run() return soon. Any thread and any signal handler may call this function, but no other.
   void stop() noexcept;
 
-  /// Handles what is due, without waiting: the clock's frame, messages, sockets. For tests.
+  /// Handles what is due, without waiting: the clock's frame, messages, sockets. It is meant for tests.
   /// @throw std::logic_error the machine is off
   void runPending();
 
-  /// Handles events until `done` returns true. For tests that wait for a socket.
+  /// Handles events until `done` returns true. It is meant for tests that wait for a socket.
   /// @return false if the limit was reached or the machine went off first
   bool runUntil(const std::function<bool()>& done, std::chrono::milliseconds limit = std::chrono::seconds(20));
 
   /// Calls DoStop, then DoDestroy of all objects, and closes all sockets. Drops queued messages.
   void shutdown() noexcept;
 
-  /// After boot(): this computer's port for a port of the robot.
+  /// The port of this computer for a port of the robot. Call this after boot().
   /// @throw std::out_of_range the port is not in MachineOptions::ports
   std::uint16_t hostPort(std::uint16_t robot_port) const { return options_.ports.at(robot_port); }
 

@@ -18,14 +18,14 @@ bool isWord(const std::string& text) {
          std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
 }
 
-/// Lines written on Windows end in a carriage return.
+/// Removes white space, and also the carriage return at the end of a line that was written on Windows.
 std::string withoutSpaceAround(const std::string& text) {
   constexpr char kSpace[] = " \t\r";
   const auto begin = text.find_first_not_of(kSpace);
   return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(kSpace) - begin + 1);
 }
 
-/// There is one more part than separators.
+/// Splits a text. There is one more part than separators.
 std::vector<std::string> splitAt(char separator, const std::string& text) {
   std::vector<std::string> parts;
   std::istringstream rest(text + separator);
@@ -35,7 +35,7 @@ std::vector<std::string> splitAt(char separator, const std::string& text) {
   return parts;
 }
 
-/// Without comment and surrounding space; never empty.
+/// A line without its comment and the space around it; never empty.
 struct Line {
   std::string text;
   int number;
@@ -213,7 +213,7 @@ std::vector<ServiceConnection> readConnectionConfiguration(std::istream& text, c
                                                            const std::string& design,
                                                            const std::vector<std::string>& services) {
   std::vector<ServiceConnection> connections;
-  std::optional<ServiceConnection> open;  // its subject has been read
+  std::optional<ServiceConnection> open;  // set if its subject has been read
   const auto fail_without_observer = [&] {
     throw ConfigurationError(file, open->line,
                              open->subject.text() + " has no observer (a service that ends in .O) after it");

@@ -18,7 +18,7 @@
 
 namespace openr_host {
 
-/// The text begins with "FILE:LINE: ", like a compiler's.
+/// Thrown if a configuration file has a fault. The text begins with "FILE:LINE: ", like a compiler's.
 class ConfigurationError : public std::runtime_error {
  public:
   ConfigurationError(const std::string& file, int line, const std::string& what)
@@ -30,7 +30,7 @@ struct ServiceName {
   std::string object;
   std::string service;
   std::string data_type;
-  /// Ends in S: the object sends data here. Otherwise it ends in O: the object receives data.
+  /// True if the name ends in S: the object sends data here. Otherwise it ends in O, and the object receives data.
   bool is_subject;
 
   /// @return empty unless `text` is four words of letters, digits and underscores, joined by dots, and ends in S or O
@@ -40,16 +40,16 @@ struct ServiceName {
 };
 
 /// Finds a file on a memory stick or a copy of one. It ignores case, as the stick's own file system does.
-/// @param folder the stick
-/// @param name on the stick: "OPEN-R/MW/CONF/OBJECT.CFG"
+/// @param folder the folder of the stick
+/// @param name the name on the stick: "OPEN-R/MW/CONF/OBJECT.CFG"
 /// @throw std::runtime_error there is no such file; the text names the searched folder
 std::filesystem::path findOnMemoryStick(const std::filesystem::path& folder, const std::string& name);
 
-/// True if findOnMemoryStick() would find it.
+/// True if findOnMemoryStick() would find the file.
 bool isOnMemoryStick(const std::filesystem::path& folder, const std::string& name);
 
 /// The text of a configuration file, whatever editor wrote it (protocol::textInFile()).
-/// @throw std::runtime_error it is no regular file, too long, or cannot be read; the text names it
+/// @throw std::runtime_error the file is not a regular one, is too long, or cannot be read; the text names it
 std::istringstream openConfiguration(const std::string& path);
 
 /// A line of OBJECT.CFG.
@@ -64,7 +64,7 @@ std::vector<ObjectFile> readObjectConfiguration(std::istream& text, const std::s
 struct ServiceConnection {
   ServiceName subject;
   ServiceName observer;
-  int line;  ///< where the subject is
+  int line;  ///< the line of the subject
 };
 
 /// CONNECT.CFG lists connections between gates: subject, white space, observer.

@@ -8,14 +8,14 @@ HOST := $(patsubst %/,%,$(dir $(abspath $(lastword $(MAKEFILE_LIST)))))
 COMMON := $(wildcard $(FOLDER)/../common)
 NAME := $(shell sed -n 's/^[ \t]*ObjectName[ \t]*:[ \t]*\([A-Za-z_0-9]*\).*/\1/p' $(FOLDER)/stub.cfg)
 
-# An object of 2004 is not C++17, and may forget to return a value: then only unoptimised code goes on, as on the robot.
-# Nothing but its description is visible, so two objects may have equal names.
+# An object of 2004 is not C++17, and may forget to return a value. In that case, only unoptimised code goes on, as on
+# the robot. Nothing but the object's description is visible, so two objects may have equal names.
 OPTIONS = -O0 -g -fPIC -fvisibility=hidden -fno-gnu-unique -MMD -MP -I$(BUILD) -I$(FOLDER) \
   $(if $(COMMON),$(patsubst %,-I%,$(sort $(dir $(shell find $(COMMON) -name '*.h'))))) \
   $(patsubst %,-I$(FOLDER)/%,$(shell cat $(FOLDER)/Makefile* 2> /dev/null | grep -o -e '-I[^ $$/][^ $$]*' | cut -c 3-)) \
   -I$(HOST)/sdk -I$(HOST)/../..
 CXX_OPTIONS = -fpermissive -Wno-write-strings -Wno-int-to-pointer-cast -include $(HOST)/prelude.h $(OPTIONS) $(CXXFLAGS)
-# Its files are on the memory stick (objects/stick_files.cpp).
+# Wrapped, because an object's files are on the memory stick (objects/stick_files.cpp).
 WRAPPED = fopen open stat __xstat unlink remove
 
 sources_in = $(filter-out %Stub.cc,$(shell find $(1) -name '*.cc' -o -name '*.cpp' -o -name '*.c'))

@@ -30,7 +30,7 @@ struct ObserverDescription {
 };
 
 struct ObjectDescription {
-  std::shared_ptr<void> library;  ///< keeps loaded code in memory; first, so that it goes last
+  std::shared_ptr<void> library;  ///< keeps the loaded code in memory; the first member, so that it is destroyed last
   std::string name;
   std::vector<SubjectDescription> subjects;                             ///< in the order of sbjNAME
   std::vector<ObserverDescription> observers;                           ///< in the order of obsNAME
@@ -38,7 +38,7 @@ struct ObjectDescription {
   std::function<std::unique_ptr<OObject>()> create;
 };
 
-/// The n-th object of a system, from 1. On the robot an OID is an address; here it is a number.
+/// The OID of the n-th object of a system, from 1. On the robot an OID is an address; here it is a number.
 inline OID oidOf(std::size_t number) {
   return OID(reinterpret_cast<void*>(number));
 }

@@ -16,7 +16,7 @@
 
 namespace openr_host {
 
-/// For one effector in one frame.
+/// A command to one effector in one frame.
 struct EffectorCommand {
   OPrimitiveID primitive;
   ODataType type;  ///< such as odataJOINT_COMMAND2; determines the type of `value` (ODataFormats.h)
@@ -25,8 +25,8 @@ struct EffectorCommand {
 
 using EffectorCommands = std::vector<EffectorCommand>;
 
-/// Most frames that pass at once after the host has delayed the process. A second is longer than any command vector,
-/// and quickly made up.
+/// The most frames that pass at once after the host has delayed the process. A second is longer than any command
+/// vector, and quickly made up for.
 constexpr longword kMostFramesCaughtUp = 125;
 
 /// 8 ms of sound at 16 kHz, one channel or two.
@@ -34,15 +34,15 @@ constexpr std::size_t kSamplesPerFrame = 128;
 using SpeakerFrame = std::array<sword, kSamplesPerFrame>;
 using MicrophoneFrame = std::array<OSoundSampleStereo16, kSamplesPerFrame>;
 
-/// The thread that runs the machine makes all calls.
+/// A robot for the machine. The thread that runs the machine makes all calls.
 class VirtualRobot {
  public:
   virtual ~VirtualRobot() = default;
 
-  /// For OPENR::GetRobotDesign(): "ERS-7". It also selects lines of OBJECT.CFG.
+  /// The result of OPENR::GetRobotDesign(): "ERS-7". It also selects lines of OBJECT.CFG.
   virtual std::string design() const = 0;
 
-  /// The calls of OPENRAPI.h, which documents the results.
+  /// The calls of OPENRAPI.h, where their results are documented.
   virtual OStatus openPrimitive(const char* locator, OPrimitiveID* id) = 0;
   virtual OStatus closePrimitive(OPrimitiveID id) = 0;
   virtual OStatus controlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param, size_t param_size,
@@ -64,7 +64,7 @@ class VirtualRobot {
   /// The kind of sound that the speaker takes; empty if the primitive is not an open speaker.
   virtual std::optional<OSpeakerSoundType> soundTypeOf(OPrimitiveID /*id*/) const { return std::nullopt; }
 
-  /// Plays and hears for 8 ms. While something is played or somebody listens, it is called for each frame in turn.
+  /// Plays and hears for 8 ms. While something is played or somebody listens, this is called for each frame in turn.
   /// @param played null while nothing is played
   virtual MicrophoneFrame passSound(longword /*frame*/, const SpeakerFrame* /*played*/) { return {}; }
 
@@ -72,20 +72,20 @@ class VirtualRobot {
   /// primitives are closed. The next machine boots on the same robot.
   virtual void switchOff() = 0;
 
-  /// True if the primitive is open and accepts commands of this type. Called for every entry when a command vector
-  /// arrives. The answer may change until the commands are due.
+  /// True if the primitive is open and accepts commands of this type. This is called for every entry when a command
+  /// vector arrives. The answer may change until the commands are due.
   virtual bool takesCommand(OPrimitiveID id, ODataType type) const = 0;
 
-  /// Called when a frame of 8 ms passes. Later calls see the body after it. Every frame passes in turn, even if the
-  /// host was delayed, so no part of a motion is lost. Several pass at once while nobody could notice. After a delay of
-  /// more than kMostFramesCaughtUp frames, only the latest ones pass, and waiting commands are played in them.
-  /// @param commands from OVirtualRobotComm.Effector for this frame; may be empty
+  /// Called when a frame of 8 ms passes. Later calls see the body after that frame. Every frame passes in turn, even if
+  /// the host was delayed, so no part of a motion is lost. Several pass at once while nobody could notice. After a
+  /// delay of more than kMostFramesCaughtUp frames, only the latest ones pass, and waiting commands are played in them.
+  /// @param commands the commands from OVirtualRobotComm.Effector for this frame; may be empty
   virtual void passFrame(longword frame, const EffectorCommands& commands) = 0;
 
   /// Reads all sensors and joints into an OSensorFrameVectorData, whose entries have the four frames up to this one.
-  /// Called in every fourth frame (3, 7, 11...) if an observer of OVirtualRobotComm.Sensor is ready. After a delay of
-  /// the host, it is called only for the last vector that was due, right after passFrame() of its frame. The region
-  /// belongs to the robot, as with captureImage().
+  /// This is called in every fourth frame (3, 7, 11...) if an observer of OVirtualRobotComm.Sensor is ready. After a
+  /// delay of the host, it is called only for the last vector that was due, right after passFrame() of its frame. The
+  /// region belongs to the robot, as with captureImage().
   virtual RCRegion* captureSensors(longword frame) = 0;
 
   /// Called once per frame, in ascending order, even if no observer is ready. After a delay of the host, some frames
@@ -95,8 +95,8 @@ class VirtualRobot {
   /// The earliest later frame in which an image may be due.
   virtual longword nextCameraImage(longword frame) const { return frame + 1; }
 
-  /// Takes the image that is due: an OFbkImageVectorData with its pixels, in one region. Called if an observer of
-  /// OVirtualRobotComm.FbkImageSensor is ready. The robot keeps its own reference, and may reuse the region when
+  /// Takes the image that is due: an OFbkImageVectorData with its pixels, in one region. This is called if an observer
+  /// of OVirtualRobotComm.FbkImageSensor is ready. The robot keeps its own reference, and may reuse the region when
   /// RCRegion::NumberOfReference() is back to 1.
   virtual RCRegion* captureImage(longword frame) = 0;
 };

@@ -13,15 +13,15 @@ class Battery {
  public:
   static constexpr int kCapacity = 2200;           ///< mAh
   static constexpr double kFirstTemperature = 25;  ///< degree Celsius
-  static constexpr double kLastTemperature = 38;   ///< final temperature
-  static constexpr double kSecondsToWarmUp = 600;  ///< time constant
+  static constexpr double kLastTemperature = 38;   ///< the final temperature
+  static constexpr double kSecondsToWarmUp = 600;  ///< the time constant
   static constexpr double kLowCharge = 0.1;        ///< at and below this charge, the status reports a low battery
 
   /// The battery is full at first.
-  /// @param minutes until it is empty, above 0
+  /// @param minutes the time until the battery is empty, above 0
   explicit Battery(double minutes) : minutes_(minutes) {}
 
-  /// Call after 8 ms.
+  /// Call this after each frame of 8 ms.
   void passFrame();
 
   /// @param charge 0..1

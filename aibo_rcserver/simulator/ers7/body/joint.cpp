@@ -12,8 +12,8 @@ namespace {
 /// speed.
 constexpr double kStiffness = 1.0 / 3;
 
-/// A frame brings the motor nearer to the speed that its duty gives, by this share of the difference. With kStiffness,
-/// the motor would overshoot if the share were larger.
+/// The share of the difference by which a frame brings the motor nearer to the speed that its duty gives. With
+/// kStiffness, the motor would overshoot if the share were larger.
 constexpr double kResponse = 0.75;
 
 /// A joint is at rest below these values, in microradians and microradians per frame. No sensor resolves less, and a

@@ -35,26 +35,26 @@ class Joint {
   /// 0.05 degree in microradians. Readings have errors of up to one step.
   static constexpr int kEncoderStep = 873;
 
-  /// The reported value at full duty forward. Tekkotsu reads OJointValue::pwmDuty like this.
+  /// The reported value at full duty forward. Tekkotsu takes OJointValue::pwmDuty in the same way.
   static constexpr int kFullDuty = 512;
 
-  /// A joint at rest without gain or power. All gains are 0, and the command is the joint's position.
+  /// At first, the joint rests without gain or power. All gains are 0, and the command is the joint's position.
   /// @param model must outlive the joint
   Joint(const robot_model::Joint& model, int position);
 
   const robot_model::Joint& model() const { return model_; }
 
-  /// Level2 Reference Guide, pages 70 and 71.
+  /// Sets the gains (Level2 Reference Guide, pages 70 and 71).
 
   /// @return oGAIN_DISABLED, and no gain is set, if the gain is not effective
   OStatus setGains(const robot_model::PidGains& gains);
 
-  /// The gain is 0 until setGains().
+  /// Enables the gain, which is 0 until setGains().
   void enableGain() { gains_ = gains_.value_or(robot_model::PidGains()); }
 
   void disableGain() { gains_.reset(); }
 
-  /// Without power, the gain has no effect.
+  /// Switches the power. Without it, the gain has no effect.
   void setPower(bool on) { powered_ = on; }
 
   /// Sets the target from the next frame on. Beyond the mechanical limits, the motor stalls at the stop.
@@ -62,7 +62,7 @@ class Joint {
 
   void jam(bool jammed) { jammed_ = jammed; }
 
-  /// Call every 8 ms.
+  /// Call this every 8 ms.
   /// @param error_of_reading the measured position minus the true one
   void passFrame(int error_of_reading);
 
@@ -86,7 +86,7 @@ class Joint {
   bool jammed_ = false;
   int reference_;
   double position_;
-  double step_ = 0;  ///< in the last frame
+  double step_ = 0;  ///< the step of the last frame
   double duty_ = 0;  ///< -1..1
   std::array<OJointValue, kReadings> readings_;
 };

@@ -18,18 +18,18 @@ namespace simulated_ers7 {
 
 /// The joint's first position, in microradians. The posture is our choice: the robot stands on bent legs, with its feet
 /// kStandingHeight below shoulders and hips, and looks at the ball.
-/// @param joint its name in robot_model.h
+/// @param joint the joint's name in robot_model.h
 /// @throw std::out_of_range the ERS-7 has no such joint
 int restingPosition(const std::string& joint);
 
-/// The head looks at the ball and at the station behind it.
+/// The head's first angles: it looks at the ball and at the station behind it.
 HeadAngles restingHead();
 
 /// All joints, in the order of the robot's table. They begin in the resting posture, without power. A joint that an
 /// ERS-7 lacks begins at 0. Collisions between legs and body are not simulated.
 class Joints {
  public:
-  /// @param seed of the encoders' errors; the same seed and commands give the same readings
+  /// @param seed the seed of the encoders' errors; the same seed and commands give the same readings
   Joints(const robot_model::RobotModel& model, std::uint64_t seed);
 
   std::vector<Joint>& all() { return joints_; }
@@ -42,13 +42,13 @@ class Joints {
 
   void setPower(bool on);
 
-  /// Call after 8 ms.
+  /// Call this after each frame of 8 ms.
   void passFrame();
 
-  /// A robot without neck_tilt has an ERS-7's neck at rest.
+  /// The angles of the head. A robot without neck_tilt has an ERS-7's neck at rest.
   HeadAngles head() const;
 
-  /// Indexed by Leg.
+  /// The angles of the legs, by Leg.
   std::array<LegAngles, kLegs> legs() const;
 
  private:

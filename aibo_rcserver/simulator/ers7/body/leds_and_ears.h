@@ -20,10 +20,10 @@ class Ear {
   static constexpr longword kMostFramesEnergised = 125;
   static constexpr longword kFramesToCoolDown = 625;
 
-  /// Takes effect in the next frame, and lasts until the next command.
+  /// Switches the magnet. The command takes effect in the next frame, and lasts until the next command.
   void energise(bool on) { told_to_ = on; }
 
-  /// Call after 8 ms.
+  /// Call this after each frame of 8 ms.
   /// @return true if the magnet overheated in this frame
   bool passFrame() {
     if (frames_to_cool_ > 0) {

@@ -39,10 +39,10 @@ enum class PrimitiveKind { kCamera, kJoint, kSensor, kLed, kEar, kSound };
 /// The device of a primitive's number.
 struct Primitive {
   PrimitiveKind kind;
-  std::size_t index;  ///< index in the robot's table of this kind; 0 for the camera and sound
+  std::size_t index;  ///< its index in the robot's table of this kind; 0 for the camera and sound
 };
 
-/// A primitive always has the same number. It stays open until it has been closed as often as it was opened.
+/// Opens primitives. Each always has the same number, and stays open until it was closed as often as it was opened.
 class PrimitiveTable {
  public:
   explicit PrimitiveTable(const robot_model::RobotModel& model);
@@ -53,12 +53,12 @@ class PrimitiveTable {
   OStatus open(const char* locator, OPrimitiveID* id);
 
   /// @param id oprimitiveID_UNDEF closes all open primitives
-  /// @return oINVALID_PRIMITIVE_ID if it is not open
+  /// @return oINVALID_PRIMITIVE_ID if the primitive is not open
   OStatus close(OPrimitiveID id);
 
   bool isOpen(OPrimitiveID id) const { return times_opened_.count(id) != 0; }
 
-  /// Empty if the primitive is not open.
+  /// The primitive with this number; empty if it is not open.
   std::optional<Primitive> find(OPrimitiveID id) const;
 
  private:

@@ -19,15 +19,15 @@ struct SensorFrameEntry {
   ODataType type;
 };
 
-/// In bytes.
+/// The size of a region with this many entries, in bytes.
 std::size_t sensorFramesSize(std::size_t entries);
 
 /// Writes the constant part: the header, and the infos without the frame number.
-/// @param region has sensorFramesSize() bytes
+/// @param region a region of sensorFramesSize() bytes
 void prepareSensorFrames(RCRegion* region, const std::vector<SensorFrameEntry>& entries);
 
 /// Writes the readings of an entry into a prepared region.
-/// @param frame the OPEN-R frame of the last reading; the info gets that of the first
+/// @param frame the OPEN-R frame of the last reading; the info gets the frame of the first
 /// @param readings Joint::kReadings OSensorValues or OJointValues
 void writeSensorFrames(RCRegion* region, std::size_t entry, longword frame, const void* readings);
 

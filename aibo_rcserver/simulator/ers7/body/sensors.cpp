@@ -11,7 +11,7 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
 struct RangeFinder {
-  bool in_head;     ///< otherwise in the body
+  bool in_head;     ///< true: in the head; false: in the body
   Vector3d place;   ///< metres
   double down;      ///< downward tilt from straight ahead, in radians
   longword period;  ///< frames
@@ -92,7 +92,7 @@ std::function<int(const Situation&)> Sensors::measurementOf(const robot_model::S
     case robot_model::SENSOR_TEMPERATURE:
       return [](const Situation&) { return kRoomTemperature; };
     case robot_model::SENSOR_CHARGE:
-      break;  // the battery's
+      break;  // the battery measures these
   }
   return [](const Situation&) { return 0; };
 }

@@ -30,7 +30,7 @@ struct Situation {
 
 struct RangeFinder;
 
-/// All sensors in the order of the robot's table, in the units of robot_model.h.
+/// All sensors, in the order of the robot's table, in the units of robot_model.h.
 ///
 /// Distance sensors cast rays into the scene from head and body; the robot's own legs are not in the scene. A distance
 /// outside the range (Model Information ERS-7) reads as the end of the range. The near and far sensors measure
@@ -55,13 +55,13 @@ class Sensors {
   using Readings = std::array<OSensorValue, Joint::kReadings>;
 
   /// @param model, scene must outlive the sensors
-  /// @param seed of the errors; the same seed and situations give the same readings
+  /// @param seed the seed of the errors; the same seed and situations give the same readings
   Sensors(const robot_model::RobotModel& model, const Scene& scene, std::uint64_t seed);
 
-  /// Call every 8 ms. All sensors measure at the end of this time.
+  /// Call this every 8 ms. All sensors measure at the end of this time.
   void passFrame(const Situation& situation);
 
-  /// @param name as in robot_model.h
+  /// @param name the name in robot_model.h
   /// @throw std::invalid_argument there is no such sensor, or it cannot be pressed; the text names the sensors that can
   ///   be pressed
   void press(const std::string& name, bool pressed);

@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 using robot_model::FOOT_RADIUS;
 
 /// Largest distance of the weight from the triangle of its supports, in metres (our choice). With a smaller value, a
-/// robot that lifts a paw would tip onto that paw. A real robot leans away instead.
+/// robot that lifts a paw would tip onto that paw. A real robot does not tip, but leans away.
 constexpr double kBalance = 0.02;
 
 constexpr double kTolerance = 1e-6;
@@ -20,7 +20,7 @@ Vector3d toVector(const robot_model::Point& point) {
   return {point.x, point.y, point.z};
 }
 
-/// The robot leans until its weight is this far inside its supports, in metres (our choice).
+/// How far inside its supports the robot gets its weight when it leans, in metres (our choice).
 constexpr double kLeaning = 0.005;
 
 double above(const Floor& floor, const Vector3d& point) {
@@ -123,7 +123,7 @@ Floor floorUnder(const Supports& supports, const Eigen::Vector2d& slope) {
   return floor;
 }
 
-// Such a plane always exists, because the belly has corners, too.
+// A plane is always found, because the corners of the belly are supports, too.
 Rest restOn(const Supports& supports) {
   std::optional<Rest> best;
   for (std::size_t i = 0; i < supports.size(); ++i) {

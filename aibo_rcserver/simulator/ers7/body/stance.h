@@ -18,8 +18,8 @@ constexpr std::size_t kLegs = robot_model::NUMBER_OF_LEGS;
 
 constexpr double kGravity = 9.80665;  // m/s^2
 
-/// In metres. A foot up to this height above the floor still presses its switch (our choice), because joints are a few
-/// hundredths of a degree off their commands and real floors are not flat.
+/// The height above the floor, in metres, up to which a foot presses its switch (our choice). It is not 0, because
+/// joints are a few hundredths of a degree off their commands and real floors are not flat.
 constexpr double kPawTravel = 0.003;
 
 /// The centre of a foot in the body's frame, in metres.
@@ -46,12 +46,12 @@ Floor floorUnder(const Supports& supports, const Eigen::Vector2d& slope);
 
 struct Rest {
   Floor floor;
-  /// The weight seen from above, relative to the body's origin. The robot leans to keep it over its supports.
+  /// The weight seen from above, relative to the body's origin. The robot leans to keep its weight over its supports.
   Eigen::Vector2d weight;
 };
 
-/// Finds three supports that surround the weight, which is in the body's origin, or nearly do. No other support is
-/// below their plane. Of several such planes, the most level one is chosen. The supports do not slide.
+/// Finds three supports that surround the weight, or nearly surround it. The weight is in the body's origin. No other
+/// support is below their plane. Of several such planes, the most level one is chosen. The supports do not slide.
 Rest restOn(const Supports& supports);
 
 /// Speed at which the body tips, in rad/s for each metre between its weight and its supports. It replaces dynamics, and
@@ -64,7 +64,7 @@ constexpr double kTippingSpeed = 5;
 /// that lowers the weight most.
 /// @param supports the current supports
 /// @param rest restOn(supports)
-/// @param slope the floor's slope before
+/// @param slope the floor's slope one frame earlier
 Floor tip(const Supports& supports, const Rest& rest, const Eigen::Vector2d& slope, double seconds);
 
 struct Stance {
@@ -72,10 +72,10 @@ struct Stance {
   std::array<bool, kLegs> paw_down;  ///< the foot is at most kPawTravel above the floor
 };
 
-/// The body is over the room's origin and faces along x.
+/// The stance of a body that is over the room's origin and faces along x.
 Stance stanceOver(const Floor& floor, const Supports& supports);
 
-/// The stance at rest on the floor.
+/// The stance of a robot that rests on the floor.
 Stance standOn(const std::array<LegAngles, kLegs>& legs);
 
 }  // namespace simulated_ers7

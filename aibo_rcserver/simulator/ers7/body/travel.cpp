@@ -40,8 +40,8 @@ const Vector3d kRump(-0.06, 0, 0);
 const Vector3d kFace(0.03, 0, 0);  // in the head
 constexpr double kBumperRadii[] = {0.09, 0.09, 0.075};
 
-/// Corners of back and head on which the robot may lie, raised like those of the belly (our choice, estimated from the
-/// body's shape).
+/// The corners of back and head on which the robot may lie. They are raised like those of the belly (our choice,
+/// estimated from the body's shape).
 const Vector3d kBack[] = {
     {0.085, 0.045, 0.045}, {0.085, -0.045, 0.045}, {-0.085, 0.045, 0.045}, {-0.085, -0.045, 0.045}};
 const Vector3d kHead[] = {{0.04, 0, 0.03}, {-0.03, 0, 0.03}, {0.09, 0, -0.02}, {0.04, 0.04, 0}, {0.04, -0.04, 0}};
@@ -127,7 +127,7 @@ Vector3d dragged(const std::vector<Contact>& contacts, const Vector3d& before) {
   return velocity;
 }
 
-/// How far an obstacle is inside a bumper, as a negative number.
+/// How far an obstacle reaches into a bumper, as a negative number.
 double intrusion(const Scene& scene, const Vector3d& middle, double radius) {
   return std::min(0.0, scene.clearance(middle) - radius);
 }
@@ -153,7 +153,7 @@ Travel::Travel(const std::array<LegAngles, kLegs>& legs, const HeadAngles& head,
   stance_.body.translation().z() += ground_;
 }
 
-// Things that move in the scene do not push the robot, so it stays where it stands.
+// The robot stays where it stands if only things in the scene move, because they do not push it.
 void Travel::passFrame(const std::array<LegAngles, kLegs>& legs, const HeadAngles& head, const Scene& scene) {
   const bool joints_rest = std::equal(legs.begin(), legs.end(), legs_.begin(), isSameLeg) && isSameHead(head, head_);
   if (is_settled_ && joints_rest) {
@@ -209,7 +209,7 @@ void Travel::fallOff(const Scene& scene) {
   }
 }
 
-/// Between two sides, the robot first returns to its feet.
+/// Holds the robot. Between two sides, the robot first returns to its feet.
 void Travel::passFrameOfHolding() {
   const bool wants_hold = is_lifted_ || wanted_side_ != Side::kFeet;
   if (held_ == 0) {
@@ -239,9 +239,9 @@ Isometry3d Travel::poseInPlace() const {
   return pose;
 }
 
-/// The step that follows from friction and the last step.
+/// The step that friction and the last step cause.
 /// @param before,now the supports in a frame above the body's place, with its heading
-/// @param rolled how far they have rolled meanwhile
+/// @param rolled how far the supports have rolled since `before`
 Travel::Step Travel::push(const Supports& before, const Supports& now, const Supports& rolled) const {
   std::vector<Contact> contacts;
   double loads = 0;

@@ -12,7 +12,7 @@
 
 namespace simulated_ers7 {
 
-/// In the room's frame (scene.h).
+/// A place in the room's frame (scene.h).
 struct Place {
   double x = 0;    ///< metres
   double y = 0;    ///< metres
@@ -22,17 +22,17 @@ struct Place {
 /// The side on which the robot lies or stands.
 enum class Side { kFeet, kLeft, kRight, kBack };
 
-/// Friction of feet and belly: at most this share of the weight pushes the robot along. Our choice, for rubber on a
-/// carpet.
+/// The friction of feet and belly, as the largest share of the weight that pushes the robot along. Our choice, for
+/// rubber on a carpet.
 constexpr double kFriction = 0.6;
 
 /// The robot begins at rest over the room's origin and faces along x. The same movements always lead to the same place.
 ///
 /// Feet roll, and belly and feet stay where they touch the floor, so the legs push the body. Friction limits how fast
-/// it speeds up, slows down and turns. Feet that pull against each other slip: in each frame, the robot moves so that
-/// friction takes as little energy as possible. Walls and the scene's bodies stop it.
+/// the body speeds up, slows down and turns. Feet that pull against each other slip: in each frame, the robot moves so
+/// that friction takes as little energy as possible. Walls and the scene's bodies stop the robot.
 ///
-/// On a table, a foot beyond the edge does not carry. If the body then tips too far, or its weight is beyond the edge,
+/// On a table, a foot beyond the edge carries nothing. If the body then tips too far, or its weight is beyond the edge,
 /// the robot falls off, and lies on its side on the floor.
 ///
 /// Simplifications: The weight stays in the body's origin. The feet share it equally, but a foot up to kPawTravel above
@@ -43,18 +43,18 @@ class Travel {
   /// @param ground height of the table or floor under it, in metres
   Travel(const std::array<LegAngles, kLegs>& legs, const HeadAngles& head, double ground = 0);
 
-  /// Call after 8 ms.
-  /// @param legs,head their current angles
-  /// @param scene possible obstacles
+  /// Call this after each frame of 8 ms.
+  /// @param legs,head the present angles of legs and head
+  /// @param scene the scene, which may have obstacles
   void passFrame(const std::array<LegAngles, kLegs>& legs, const HeadAngles& head, const Scene& scene);
 
-  /// Lifts the robot and holds it level, or sets it down in the same place. Each takes half a second.
+  /// Lifts the robot and holds it level, or sets it down in the same place. Either takes half a second.
   void lift(bool lifted) {
     is_lifted_ = lifted;
     is_settled_ = false;
   }
 
-  /// Drops the robot on a side or its back, or puts it back on its feet. Each takes half a second. A lying robot does
+  /// Drops the robot on a side or its back, or puts it back on its feet. Either takes half a second. A lying robot does
   /// not travel, and its paws are not on the floor.
   void lie(Side side) {
     wanted_side_ = side;
@@ -65,7 +65,7 @@ class Travel {
 
   const Stance& stance() const { return stance_; }
 
-  /// True from the moment at which it falls off a table.
+  /// True from the moment at which the robot falls off a table.
   bool hasFallenOff() const { return has_fallen_off_; }
 
   /// True while a foot or a part of the belly is beyond an edge.
@@ -75,7 +75,7 @@ class Travel {
   bool isStopped() const { return is_stopped_; }
 
   /// The body's acceleration in the room, in m/s^2, without gravity. It is smoothed to a bandwidth of 8 Hz (our
-  /// choice); otherwise each foot that touches the floor would cause a spike.
+  /// choice); without this, each foot that touches the floor would cause a spike.
   const Eigen::Vector3d& acceleration() const { return acceleration_; }
 
  private:
@@ -99,9 +99,9 @@ class Travel {
   void feelAcceleration(const Eigen::Vector3d& before);
 
   std::array<LegAngles, kLegs> legs_;
-  Supports supports_;            ///< in the body; one beyond an edge is out of the floor's reach
-  double ground_;                ///< height of what it stands on, in metres
-  bool is_beyond_edge_ = false;  ///< some support is
+  Supports supports_;            ///< in the body's frame; a support beyond an edge is out of the floor's reach
+  double ground_;                ///< height of what the robot stands on, in metres
+  bool is_beyond_edge_ = false;  ///< a support is beyond an edge
   bool has_fallen_off_ = false;
   bool is_stopped_ = false;
   HeadAngles head_;
@@ -117,7 +117,7 @@ class Travel {
   Side wanted_side_ = Side::kFeet;
   Eigen::Quaterniond hold_ = Eigen::Quaterniond::Identity();  ///< the attitude of the held or lying robot
   Side side_ = Side::kFeet;                                   ///< the side that hold_ is for
-  double held_ = 0;                                           ///< 0 stands freely, 1 has the attitude hold_
+  double held_ = 0;                                           ///< 0: it stands freely; 1: it has the attitude hold_
   double raised_ = 0;                                         ///< metres
 };
 

@@ -30,7 +30,7 @@ struct CameraSettings {
   bool auto_white_balance = false;  ///< while on, white_balance has no effect
 };
 
-/// The number of images finished up to and including this OPEN-R frame. The first one is finished in frame 0.
+/// The number of images finished up to and including this OPEN-R frame. The first image is finished in frame 0.
 ///
 /// The camera's own clock gives 29.88 images per second, but it is read every 8 ms. So most images come 32 ms after the
 /// previous one, and some 40 ms. 60 images in 251 frames make 33.47 ms on average, as measured on an ERS-7 (Tekkotsu,
@@ -67,17 +67,17 @@ class PictureSource {
                                     const CameraSettings& settings) = 0;
 };
 
-/// Frames are OPEN-R frames of 8 ms since the robot was switched on. Not thread-safe.
+/// Frames are OPEN-R frames of 8 ms since the robot was switched on. The class is not thread-safe.
 ///
 /// A picture is drawn when an object first reads its pixels (filled_on_read.h), so an unread image costs almost
-/// nothing. It shows the moment when it was taken.
+/// nothing. The picture shows the moment at which it was taken.
 class Camera {
  public:
   /// @param source must outlive the camera
-  /// @param id the camera's primitive
+  /// @param id the number of the camera's primitive
   Camera(PictureSource& source, OPrimitiveID id);
 
-  /// True once for each image, in its frame or the next frame with a call. Images without a call are counted, too.
+  /// True once for each image, in its frame or at the next call. Images without a call are counted, too.
   /// @param frame not before that of the previous call
   bool imageDue(longword frame);
 
@@ -88,7 +88,7 @@ class Camera {
   /// Carries out OPENR::ControlPrimitive().
   /// @param param, param_size an OPrimitiveControl_CameraParam for SET requests; otherwise ignored
   /// @return oSUCCESS, or oINVALID_ARG if the request is unknown, the parameter is missing or has a wrong size, or the
-  ///   setting does not have the value; then nothing changes
+  ///   setting does not have the value; in that case nothing changes
   OStatus control(OPrimitiveRequest request, const void* param, size_t param_size);
 
   const CameraSettings& settings() const { return settings_; }

@@ -10,7 +10,7 @@
 
 namespace simulated_ers7 {
 
-/// Pixels that each channel has found.
+/// How many pixels each channel has found.
 using ColorCounts = std::array<std::size_t, ocdtNUM_CHANNELS>;
 
 /// Finds for each pixel the channels whose tables contain its colour. A pixel belongs to a channel if Cr and Cb are
@@ -21,7 +21,7 @@ class ColorDetection {
   ColorDetection() { clear(); }
 
   /// Checks all tables, then replaces those of the named channels.
-  /// @return oINVALID_ARG if the ERS-7 lacks a channel; it has 0-6 (Model Information ERS-7, section 3.2.1)
+  /// @return oINVALID_ARG if the ERS-7 lacks a channel; it has channels 0 to 6 (Model Information ERS-7, section 3.2.1)
   OStatus load(const OCdtVectorData& tables);
 
   void clear();
@@ -36,7 +36,7 @@ class ColorDetection {
               ColorCounts* counts) const;
 
  private:
-  /// For each segment, the channels that contain a value of Cr or Cb.
+  /// For each segment and each value of Cr or Cb, the channels whose range contains the value.
   using Channels = std::array<std::array<byte, 256>, ocdtMAX_Y_SEGMENT>;
 
   void loadChannel(const OCdtInfo& table);

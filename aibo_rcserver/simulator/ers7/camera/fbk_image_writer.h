@@ -18,23 +18,23 @@
 
 namespace simulated_ers7 {
 
-/// In bytes, for an image in all layers.
+/// The size of an image in all layers, in bytes.
 std::size_t fbkImageSize();
 
 /// Writes the constant part: the vector's header, the infos, and an empty picture.
-/// @param region fbkImageSize() bytes
+/// @param region a region of fbkImageSize() bytes
 /// @param camera the camera's primitive
 void prepareFbkImage(RCRegion* region, OPrimitiveID camera);
 
 /// Writes everything that is known before the picture is drawn. The pixels stay those of an earlier image, or empty.
-/// @param region must be prepared
+/// @param region a prepared region
 /// @param frame the OPEN-R frame of the capture
 /// @param image_number the camera's own counter, for the tag
 void announceFbkImage(RCRegion* region, longword frame, longword image_number);
 
 /// Writes the whole picture. Pixels of M and L are means of 2x2 and 4x4 pixels of H. C has the colours detected in M.
-/// @param region must be announced
-/// @param image_number as announced
+/// @param region an announced region
+/// @param image_number the number that was announced
 void drawFbkImage(RCRegion* region, const YCrCbImage& picture, const ColorDetection& colors, longword image_number);
 
 }  // namespace simulated_ers7

@@ -42,15 +42,15 @@ LightImage makeTransmission() {
   return transmission;
 }
 
-/// Steps of the tone curve. Brighter light is white.
+/// The steps of the tone curve. Light that is brighter than kBrightestLight is white.
 constexpr int kToneSteps = 4096;
 constexpr double kBrightestLight = 2.0;
 
-/// A power of two, so that one random number gives several values, each from its own bits.
+/// How many random values there are: a power of two, so that one random number gives several values, by its bits.
 constexpr std::uint64_t kRandomValues = 4096;
 
-/// Deviation of the noise at medium gain, in 1/255. It gives pictures of the scene 3 to 6 KB at quality 85, as in the
-/// report (section 3.3.3).
+/// The deviation of the noise at medium gain, in 1/255. With it, pictures of the scene have 3 to 6 KB at quality 85, as
+/// in the report (section 3.3.3).
 constexpr float kNoiseY = 1.5f;
 constexpr float kNoiseColor = 1.0f;
 
@@ -70,7 +70,7 @@ class FastRandom {
   std::uint64_t state_;
 };
 
-/// The usual power law, except that bright light is compressed instead of clipped.
+/// The usual power law, but bright light is compressed instead of clipped.
 std::vector<float> makeToneCurve() {
   std::vector<float> curve;
   for (int step = 0; step < kToneSteps; ++step) {
@@ -89,8 +89,8 @@ std::vector<float> makeRandomValues() {
   return values;
 }
 
-/// A brightness of 1 suits the room. Sony's steps (Model Information ERS-7): gain -6, 0, +6 dB, shutter 1/50, 1/100,
-/// 1/200 s.
+/// A brightness of 1 suits the room. Sony's steps are (Model Information ERS-7): gain -6, 0, +6 dB, shutter 1/50,
+/// 1/100, 1/200 s.
 double gainOf(const CameraSettings& settings) {
   return settings.auto_exposure ? 1 : std::pow(2.0, static_cast<double>(settings.gain) - ocamparamGAIN_MID);
 }
@@ -101,8 +101,8 @@ double exposureOf(const CameraSettings& settings) {
              : gainOf(settings) * std::pow(2.0, static_cast<double>(ocamparamSHUTTER_MID) - settings.shutter);
 }
 
-/// The room's light has 5000 K. It looks bluish with the setting for lamps (2856 K), and warm with the setting for
-/// daylight (6500 K).
+/// The room's light has 5000 K. This light looks bluish with the setting for lamps (2856 K), and warm with the setting
+/// for daylight (6500 K).
 Color whiteBalanceOf(const CameraSettings& settings) {
   if (settings.auto_white_balance || settings.white_balance == ocamparamWB_FL_MODE) {
     return Color::Ones();
@@ -110,7 +110,7 @@ Color whiteBalanceOf(const CameraSettings& settings) {
   return settings.white_balance == ocamparamWB_INDOOR_MODE ? Color(0.72, 1.0, 1.55) : Color(1.10, 1.0, 0.86);
 }
 
-/// Steps of the tone curve per light.
+/// How many steps of the tone curve one unit of light is.
 Color stepsOf(const CameraSettings& settings) {
   return whiteBalanceOf(settings) * (exposureOf(settings) * (kToneSteps - 1) / kBrightestLight);
 }
@@ -169,7 +169,7 @@ void ImageSensor::expose(const LightImage& light, const DetailImage& detail, con
   exposeDetail(light, detail, settings, image_number, picture);
 }
 
-// A band has as much noise as Y: both come from the same four pixels of the sensor.
+// A band of fine detail gets as much noise as Y, because both come from the same four pixels of the sensor.
 void ImageSensor::exposeDetail(const LightImage& light, const DetailImage& detail, const CameraSettings& settings,
                                longword image_number, YCrCbImage* picture) const {
   const Color scale = stepsOf(settings);

@@ -12,8 +12,8 @@
 
 namespace simulated_ers7 {
 
-/// Blurs the picture slightly, as small lenses do, and darkens the corners, red more than blue, as on real robots. Not
-/// thread-safe.
+/// Blurs the picture slightly, as small lenses do, and darkens the corners, red more than blue, as on real robots. The
+/// class is not thread-safe.
 class Lens {
  public:
   Lens();
@@ -27,7 +27,7 @@ class Lens {
   LightImage projected_;
 };
 
-/// The same seed, image number, settings and light always give the same picture.
+/// Turns light into pictures. The same seed, image number, settings and light always give the same picture.
 class ImageSensor {
  public:
   explicit ImageSensor(std::uint64_t seed);
@@ -43,7 +43,7 @@ class ImageSensor {
 
   std::uint64_t seed_;
   std::vector<float> tone_curve_;     ///< from light to 0..255
-  std::vector<float> random_values_;  ///< normally distributed, deviation 1
+  std::vector<float> random_values_;  ///< normally distributed, with deviation 1
 };
 
 }  // namespace simulated_ers7

@@ -56,8 +56,8 @@ void checkSize(double width, double height) {
   }
 }
 
-/// The decoder's smallest scale at which the photograph is at least as large as the camera's sensor. It saves most of
-/// the work on large photographs.
+/// The decoder's smallest scale at which the photograph is at least as large as the camera's sensor. This scale saves
+/// most of the work on large photographs.
 tjscalingfactor smallestSufficientScale(int width, int height) {
   int count = 0;
   const tjscalingfactor* factors = tjGetScalingFactors(&count);

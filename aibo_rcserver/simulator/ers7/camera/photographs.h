@@ -12,7 +12,7 @@
 
 namespace simulated_ers7 {
 
-/// The text names the file or folder, the reason and a remedy.
+/// Thrown if a photograph cannot be used. The text names the file or folder, the reason and a remedy.
 class PhotographError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -22,13 +22,13 @@ class PhotographError : public std::runtime_error {
 /// @throw PhotographError the file cannot be read, or is damaged or of another format
 YCrCbImage readPhotograph(const std::filesystem::path& file);
 
-/// Shows a folder's photographs in an endless loop, in the order of their names, each for kSeconds. They have no noise.
-/// The camera's settings and the head have no effect.
+/// Shows a folder's photographs in an endless loop, in the order of their names, each for kSeconds. The pictures have
+/// no noise. The camera's settings and the head have no effect.
 class PhotoShow : public PictureSource {
  public:
   static constexpr double kSeconds = 2;
 
-  /// Ignores subfolders, and files whose names do not end in .jpg or .jpeg, in lower or upper case.
+  /// Reads the folder, but neither subfolders nor files that do not end in .jpg or .jpeg, in lower or upper case.
   /// @throw PhotographError there is no such folder or no photograph in it, or a photograph cannot be read
   explicit PhotoShow(const std::string& folder);
 

@@ -34,7 +34,7 @@ bool isOfRoom(Surface surface) {
   return surface == Surface::kFloor || surface == Surface::kWall || surface == Surface::kCeiling;
 }
 
-/// In pixels. The picture consists of whole blocks.
+/// The size of a block in pixels. The picture consists of whole blocks.
 constexpr int kBlock = 4;
 
 static_assert(kPictureWidth % kBlock == 0 && kPictureHeight % kBlock == 0, "see above");
@@ -44,7 +44,7 @@ using Block = std::array<Value, static_cast<size_t>(kBlock* kBlock)>;
 
 constexpr size_t kBlockCorners[] = {0, kBlock - 1, kBlock*(kBlock - 1), kBlock* kBlock - 1};
 
-/// True if all show one plane.
+/// True if all hits show the same plane.
 template <std::size_t kSize>
 bool isFlat(const std::array<SceneHit, kSize>& hits) {
   return isOfRoom(hits[0].surface) && std::all_of(hits.begin(), hits.end(), [&](const SceneHit& hit) {
@@ -64,15 +64,15 @@ Illumination meanOfCorners(const Block<Illumination>& light, size_t pixel) {
               mean(light[kBlockCorners[2]], light[kBlockCorners[3]], across), down);
 }
 
-/// True if the difference is invisible.
+/// True if the difference between two illuminations is invisible.
 bool lookTheSame(const Illumination& one, const Illumination& other) {
   constexpr double kVisible = 0.015;
   return std::abs(one.lamp - other.lamp) < kVisible && std::abs(one.openness - other.openness) < kVisible;
 }
 
-/// Calculates the light at the corners and one point between them. If the light at this point is the mean of the
-/// corners, all other pixels are interpolated. Otherwise they are calculated.
-/// @param is_flat the block shows a single plane
+/// Calculates the light at the corners of a block and at one point between them. If the light at this point is the mean
+/// of the corners, all other pixels are interpolated. If not, they are calculated.
+/// @param is_flat true: the block shows a single plane
 template <typename Calculate>
 void illuminate(bool is_flat, const Calculate& calculate, Block<Illumination>* light) {
   constexpr size_t kBetween = kBlock + 1;
@@ -108,7 +108,7 @@ float luminanceOf(const Color& light) {
   return static_cast<float>(0.299 * light[0] + 0.587 * light[1] + 0.114 * light[2]);
 }
 
-/// @param parts see Renderer::lightOfParts()
+/// @param parts the result of Renderer::lightOfParts()
 FineDetail relativeDetail(const std::array<Color, 4>& parts) {
   float luminance[4];
   std::transform(parts.begin(), parts.end(), luminance, luminanceOf);
@@ -214,7 +214,7 @@ void Renderer::drawBlock(const Eye& eye, int left, int top) {
   std::array<SceneHit, std::size(kBlockCorners)> corners;
   std::transform(std::begin(kBlockCorners), std::end(kBlockCorners), corners.begin(),
                  [&](size_t corner) { return scene_.castRay(rays[corner], visible); });
-  // A room's faces are convex, so a face that shows in all corners of a block fills it.
+  // A face that shows in all corners of a block fills the block, because a room's faces are convex.
   const bool is_flat = visible == 0 && isFlat(corners);
   for (size_t i = 0; i < rays.size(); ++i) {
     hits[i] = is_flat ? Scene::castRayAtPlane(rays[i], corners[0]) : scene_.castRay(rays[i], near_[pixelOf(i)].visible);
@@ -248,7 +248,7 @@ std::array<Color, 4> Renderer::lightOfParts(const Eye& eye, int x, int y) const 
   constexpr double kPart = 0.5;
   constexpr double kMiddles[] = {0.25, 0.75};
   const Near& near = near_[indexOf(x, y)];
-  // The face in the middle of the pixel, and the last other face.
+  // The face in the middle of the pixel, and the last of the other faces.
   Seen faces[] = {seen_[indexOf(x, y)], seen_[indexOf(x, y)]};
   std::array<Color, 4> parts;
   Color* part = parts.data();

@@ -14,7 +14,7 @@
 
 namespace simulated_ers7 {
 
-/// Linear, for each pixel of layer H, row by row from the upper left.
+/// Linear light for each pixel of layer H, row by row from the upper left.
 using LightImage = std::vector<Color>;
 
 /// The luminance's fine detail in each pixel, relative to its light: 0 for an even pixel.
@@ -25,17 +25,17 @@ using DetailImage = std::vector<FineDetail>;
 /// considered.
 ///
 /// While the camera is still, only the surroundings of moving bodies are drawn again. This gives the same picture in a
-/// fraction of the time. Not thread-safe.
+/// fraction of the time. The class is not thread-safe.
 class Renderer {
  public:
   /// @param scene must outlive the renderer
   explicit Renderer(const Scene& scene);
 
-  /// @param camera its pose in the room (head_kinematics.h), inside the room
+  /// @param camera the camera's pose (head_kinematics.h), inside the room
   /// @return the picture, valid until the next call
   const LightImage& render(const Eigen::Isometry3d& camera);
 
-  /// The last picture's fine detail. It comes from the edges of surfaces.
+  /// The fine detail of the last picture. Detail comes from the edges of surfaces.
   const DetailImage& detail() const { return detail_; }
 
  private:
@@ -45,14 +45,14 @@ class Renderer {
     Eigen::Vector3d normal;
     Illumination light;
 
-    /// True if the other one looks like the same face.
+    /// True if a surface with this normal looks like the same face.
     bool isAlso(Surface other_surface, const Eigen::Vector3d& other_normal) const {
       constexpr double kSameFace = 0.8;  // cosine between normals
       return surface == other_surface && normal.dot(other_normal) >= kSameFace;
     }
   };
 
-  /// Columns left..right-1, rows top..bottom-1.
+  /// A part of the picture: columns left..right-1, rows top..bottom-1.
   struct Window {
     int left;
     int top;

@@ -16,7 +16,7 @@ namespace simulated_ers7 {
 
 class SceneView : public PictureSource {
  public:
-  /// @param scene set to each picture's time; must outlive the view
+  /// @param scene the scene, which is set to each picture's time; must outlive the view
   SceneView(Scene& scene, std::uint64_t seed) : scene_(scene), renderer_(scene), sensor_(seed) {}
 
   const YCrCbImage& picture(const CameraPose& pose, double seconds, longword image_number,

@@ -9,16 +9,16 @@
 
 namespace simulated_ers7 {
 
-/// Layer H, in pixels. A place in the picture is measured from its upper left corner, x to the right and y down, so the
-/// centre of the first pixel is at (0.5, 0.5).
+/// The size of layer H, in pixels. A place in the picture is measured from its upper left corner, x to the right and y
+/// down, so the centre of the first pixel is at (0.5, 0.5).
 constexpr int kPictureWidth = 208;
 constexpr int kPictureHeight = 160;
 
-/// In degrees (Sony, Model Information ERS-7). The camera is an ideal pinhole.
+/// The field of view in degrees (Sony, Model Information ERS-7). The camera is an ideal pinhole.
 constexpr double kHorizontalFieldOfView = 56.9;
 constexpr double kVerticalFieldOfView = 45.2;
 
-/// In pixels, from the field of view: 191.9 and 192.2.
+/// The focal lengths in pixels, from the field of view: 191.9 and 192.2.
 inline const double kFocalLengthX = kPictureWidth / 2.0 / std::tan(kHorizontalFieldOfView / 2 * std::acos(-1.0) / 180);
 inline const double kFocalLengthY = kPictureHeight / 2.0 / std::tan(kVerticalFieldOfView / 2 * std::acos(-1.0) / 180);
 
@@ -42,14 +42,14 @@ struct YCrCbImage {
   static constexpr std::size_t kSize = static_cast<std::size_t>(kPictureWidth) * kPictureHeight;
 };
 
-/// 0..255 each, not rounded.
+/// A colour: 0..255 each, not rounded.
 struct YCrCb {
   float y;
   float cr;
   float cb;
 };
 
-/// @param red, green, blue 0..255, as in files and on screens (not linear)
+/// @param red, green, blue 0..255, not linear, but as in files and on screens
 inline YCrCb toYCrCb(float red, float green, float blue) {
   const float y = 0.299f * red + 0.587f * green + 0.114f * blue;
   return {y, 128 + 0.713267f * (red - y), 128 + 0.564334f * (blue - y)};
@@ -59,7 +59,7 @@ inline std::uint8_t toByte(float value) {
   return static_cast<std::uint8_t>(value <= 0 ? 0 : value >= 255 ? 255 : value + 0.5f);
 }
 
-/// Not rounded, without the bands' 128.
+/// Fine detail, not rounded, and without the 128 of the bands.
 struct FineDetail {
   float lh;
   float hl;

@@ -10,7 +10,7 @@
 
 namespace simulated_ers7 {
 
-/// Red, green and blue, linear; 1 is white paper in full light.
+/// A colour: red, green and blue, linear; 1 is white paper in full light.
 using Color = Eigen::Array3d;
 
 struct Appearance {
@@ -18,8 +18,8 @@ struct Appearance {
   double gloss = 0;  ///< strength of the highlight: 0 is cloth, 1 is varnish
 };
 
-/// The mean appearance over the area of a pixel. It is integrated and not sampled, so that lines are free of aliasing
-/// at any distance.
+/// The mean appearance over the area of a pixel. The appearance is integrated, not sampled, so that lines are free of
+/// aliasing at any distance.
 /// @param footprint size of the pixel along x, y and z of the room, in metres
 Appearance appearanceOf(const SceneHit& hit, const Eigen::Vector3d& footprint);
 

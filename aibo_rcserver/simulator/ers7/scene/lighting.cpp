@@ -43,8 +43,8 @@ double lampBeside(const Body& body, const Vector3d& point) {
   return share * share * (3 - 2 * share);
 }
 
-/// The share of ambient light that passes `body`; it darkens places where things touch. It samples points along the
-/// normal, and compares their distances to the body and the surface.
+/// The share of ambient light that passes `body`; this darkens places where things touch. The function samples points
+/// along the normal, and compares their distances to the body and the surface.
 double opennessBeside(const Body& body, const Vector3d& point, const Vector3d& normal) {
   constexpr double kSteps[] = {0.010, 0.022, 0.045};
   constexpr double kFarthest = 2 * 0.045;

@@ -75,7 +75,7 @@ Body makeCube(double x, double y, double yaw, double size, Surface surface) {
   return Body({x, y, size / 2}, yaw, {{Box{Vector3d::Zero(), Vector3d::Constant(size / 2)}, surface}});
 }
 
-/// Its frame is in the middle of its top.
+/// The table. The origin of its frame is in the middle of its top.
 Body makeTable() {
   const double top = 0.02;  // half its thickness
   const double leg = 0.025;
@@ -95,7 +95,7 @@ Body makeBoard() {
               {{Box{Vector3d::Zero(), half_size}, Surface::kWood}});
 }
 
-/// Indices in bodies_.
+/// Indices of bodies in bodies_.
 constexpr size_t kBall = 0;
 constexpr size_t kTable = 6;
 

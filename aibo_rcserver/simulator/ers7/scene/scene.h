@@ -34,7 +34,7 @@ constexpr double kBallX = kCarpetX;
 constexpr double kBallSwing = 0.16;
 constexpr double kBallPeriod = 6.0;
 
-/// The table of a room that has one: the middle of its top, half its size, and a board along its left side.
+/// The table, if the room has one: the middle of its top, half its size, and a board along its left side.
 constexpr double kTableX = 0.2;
 constexpr double kTableHalfLength = 0.8;
 constexpr double kTableHalfWidth = 0.6;
@@ -66,8 +66,8 @@ struct Part {
 /// An object on the floor, made of shapes that move together.
 class Body {
  public:
-  /// @param position the origin of its frame, in the room
-  /// @param yaw about the vertical, to the left, in radians
+  /// @param position the origin of the body's frame, in the room
+  /// @param yaw the turn about the vertical, to the left, in radians
   Body(const Eigen::Vector3d& position, double yaw, std::vector<Part> parts);
 
   const Eigen::Vector3d& position() const { return position_; }
@@ -91,10 +91,10 @@ class Body {
   }
 
   /// Distance to the body's surface, negative inside.
-  /// @param point in the body's frame
+  /// @param point a point in the body's frame
   double distanceInBody(const Eigen::Vector3d& point) const;
 
-  /// The same for a point in the room.
+  /// Does the same for a point in the room.
   double signedDistance(const Eigen::Vector3d& point) const { return distanceInBody(pointToBody(point)); }
 
  private:
@@ -106,7 +106,7 @@ class Body {
   double top_;
 };
 
-/// Bit i stands for bodies()[i]. The renderer skips bodies that do not matter.
+/// A set of bodies: bit i stands for bodies()[i]. The renderer skips bodies that do not matter.
 using BodySet = std::uint8_t;
 
 constexpr BodySet kAllBodies = 0xFF;
@@ -123,7 +123,7 @@ struct SceneHit {
 /// over the origin, with a board along its left side.
 ///
 /// x is the direction in which the robot looks at first, y is to its left, z is up, in metres. The floor is z = 0, and
-/// the robot begins above the origin. The same time always gives the same scene. Not thread-safe.
+/// the robot begins above the origin. The same time always gives the same scene. The class is not thread-safe.
 class Scene {
  public:
   explicit Scene(bool has_table = false);
@@ -132,8 +132,8 @@ class Scene {
   /// @param seconds since the robot was switched on
   void setTime(double seconds);
 
-  /// The first hit of a ray from inside the room. There always is one, because the room is closed.
-  /// @param among the ray passes through all other bodies
+  /// The first hit of a ray from inside the room. There always is a hit, because the room is closed.
+  /// @param among the bodies that count; the ray passes through all others
   SceneHit castRay(const Ray& ray, BodySet among = kAllBodies) const;
 
   /// At most eight bodies. The room itself is not one of them.

@@ -23,7 +23,7 @@ struct Capsule {
   double radius;
 };
 
-/// Parallel to the axes.
+/// A box that is parallel to the axes.
 struct Box {
   Eigen::Vector3d center;
   Eigen::Vector3d half_size;
@@ -39,7 +39,7 @@ struct ShapeHit {
 /// Where `ray` enters `shape`; empty if it misses the shape or begins inside it or beyond it.
 std::optional<ShapeHit> intersect(const Ray& ray, const Shape& shape);
 
-/// Negative inside.
+/// The distance of a point from the surface; negative inside.
 double signedDistance(const Eigen::Vector3d& point, const Shape& shape);
 
 }  // namespace simulated_ers7

@@ -47,7 +47,7 @@ struct Span {
   double width() const { return high - low; }
 };
 
-/// std::floor() is slow on processors without SSE 4.1.
+/// Rounds down, because std::floor() is slow on processors without SSE 4.1.
 int64_t wholeBelow(double value) {
   const auto whole = static_cast<int64_t>(value);
   return whole - (static_cast<double>(whole) > value ? 1 : 0);
@@ -68,8 +68,8 @@ double repeatedCoverage(const Span& span, double period, double thickness) {
   return coverage(span, band, band + thickness) + coverage(span, band + period, band + period + thickness);
 }
 
-/// A square of pseudo-random numbers in 0..1. It is so large that its repetition is not visible, and small enough for
-/// the processor's cache.
+/// A square of pseudo-random numbers in 0..1. The square is so large that its repetition is not visible, but small
+/// enough for the processor's cache.
 constexpr std::size_t kGridSize = 128;
 
 std::vector<float> makeGrid() {
@@ -84,7 +84,7 @@ std::vector<float> makeGrid() {
 
 const std::vector<float> kGrid = makeGrid();
 
-/// The grid repeats in all directions.
+/// The value of a cell of the grid, which repeats in all directions.
 double cellValue(int64_t x, int64_t y) {
   return kGrid[static_cast<std::size_t>(y) % kGridSize * kGridSize + static_cast<std::size_t>(x) % kGridSize];
 }

@@ -35,7 +35,7 @@ OStatus SpeakerAndMicrophones::control(OPrimitiveRequest request, void* param, s
              (value == ospksndMONO8K8B || value == ospksndMONO16K16B)) {
     settings_.type = value;
   } else if (request == oprmreqSPEAKER_GET_SOUND_TYPE && param_size == sizeof(settings_.type)) {
-    // The guide's example passes the place as param (page 68).
+    // The example in the guide passes the place as param (page 68).
     std::memcpy(param, &settings_.type, sizeof(settings_.type));
   } else {
     return oINVALID_ARG;
@@ -43,7 +43,7 @@ OStatus SpeakerAndMicrophones::control(OPrimitiveRequest request, void* param, s
   return oSUCCESS;
 }
 
-/// The loudest volume has gain 1.
+/// The factor of the volume, which is 1 for the loudest.
 double SpeakerAndMicrophones::gain() const {
   if (settings_.is_mute || settings_.volume == ospkvolinfdB) {
     return 0;

@@ -19,7 +19,7 @@
 namespace simulated_ers7 {
 
 /// The speaker and both microphones (Model Information ERS-7, 3.1.2 and 3.2.2). The loudest volume plays samples
-/// unchanged. The others are softer by Sony's decibels.
+/// unchanged. At lower volumes, samples are softer by Sony's decibels.
 class SpeakerAndMicrophones {
  public:
   /// @param speaker_file WAV file for the sound that the speaker plays, without the pauses between sounds; empty for
@@ -30,7 +30,7 @@ class SpeakerAndMicrophones {
 
   OSpeakerSoundType soundType() const { return settings_.type; }
 
-  /// Requests of OPENR::ControlPrimitive() to the speaker.
+  /// Carries out a request of OPENR::ControlPrimitive() to the speaker.
   OStatus control(OPrimitiveRequest request, void* param, std::size_t param_size);
 
   /// Plays and hears for 8 ms.

@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint32_t kRate = 16000;
 constexpr std::size_t kHeaderSize = 44;
 constexpr std::size_t kLongestFile = 100'000'000;  ///< bytes; 26 minutes in stereo
-constexpr std::uint32_t kEndless = 0x7ffff000;     ///< the size of the samples, if it is not known
+constexpr std::uint32_t kEndless = 0x7ffff000;     ///< written as the size while it is unknown
 
 /// The beginning of a chunk "fmt ".
 struct Format {
@@ -45,7 +45,7 @@ std::string readFile(const std::string& path) {
   }
 }
 
-/// The content of a chunk, truncated if the file is; empty if there is no such chunk.
+/// The content of a chunk, cut off if the file is cut off; empty if there is no such chunk.
 std::string chunk(const std::string& bytes, const std::string& name) {
   for (std::size_t offset = 12; offset + 8 <= bytes.size();) {
     const std::size_t size = valueAt<std::uint32_t>(bytes, offset + 4);
@@ -88,7 +88,7 @@ WavWriter::WavWriter(const std::string& path) : file_(path, std::ios::binary) {
 }
 
 WavWriter::~WavWriter() {
-  if (file_.seekp(0)) {  // not in a pipe
+  if (file_.seekp(0)) {  // fails in a pipe
     writeHeader(size_);
   }
 }

@@ -26,7 +26,7 @@ class SoundError : public std::runtime_error {
 std::vector<OSoundSampleStereo16> readWav(const std::string& path);
 
 /// Writes the speaker's sound to a mono WAV file, or to a pipe, so that a program can play it at once. The header of a
-/// file tells the size when this object is destroyed. Until then, as in a pipe, the sound ends where the file ends.
+/// file gets the size when this object is destroyed. Until then, as in a pipe, the sound ends where the file ends.
 class WavWriter {
  public:
   /// @throw SoundError the file cannot be written

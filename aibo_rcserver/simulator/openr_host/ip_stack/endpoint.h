@@ -21,7 +21,7 @@ namespace openr_host {
 /// The stack's copy of an object's message, with the receiver of the answer.
 class Envelope {
  public:
-  /// @param size of the message, in bytes
+  /// @param size the size of the message, in bytes
   Envelope(const antEnvMsg& message, std::size_t size, const OID& object, Selector entry)
       : object_(object), entry_(entry), copy_(new std::max_align_t[size / sizeof(std::max_align_t) + 1]) {
     std::memcpy(copy_.get(), &message, size);
@@ -58,7 +58,7 @@ void answer(const Deliver& deliver, const Envelope& message, Error error) {
 template <typename Message>
 class PendingMessage {
  public:
-  /// @param deliver must outlive this
+  /// @param deliver must outlive the object
   explicit PendingMessage(const Deliver& deliver) : deliver_(deliver) {}
 
   explicit operator bool() const { return envelope_.has_value(); }
@@ -78,7 +78,7 @@ class PendingMessage {
   std::optional<Envelope> envelope_;
 };
 
-/// A system's error as the IPStack's.
+/// The IPStack's error for an error of the system.
 template <typename Error>
 Error errorOf(int error, const std::map<int, Error>& errors, Error other) {
   const auto found = errors.find(error);
@@ -90,7 +90,7 @@ inline bool isTransient(int error) {
   return error == EAGAIN || error == EINTR;
 }
 
-/// Requires 1 or more.
+/// Converts a size, which must be 1 or more.
 inline std::size_t sizeOf(int size) {
   return static_cast<std::size_t>(size);
 }

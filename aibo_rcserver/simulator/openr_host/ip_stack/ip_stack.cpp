@@ -25,7 +25,7 @@ const std::map<antOperation, std::size_t> kSizes = {
     {antOperation_UDPClose, sizeof(UDPEndpointCloseMsg)},
 };
 
-/// Of an operation's message; 0 if there is no such operation.
+/// The size of an operation's message; 0 if there is no such operation.
 std::size_t sizeOf(antOperation operation) {
   const auto found = kSizes.find(operation);
   return found == kSizes.end() ? 0 : found->second;
@@ -110,7 +110,7 @@ antError IpStack::answerAtOnce(antEnvMsg& message) {
     case antOperation_UDPClose:
       return answerUdp(static_cast<UDPEndpointBaseMsg&>(message));
     default:
-      // Other requests wait for the other side, and would block the only thread.
+      // All other requests wait for the other side, and would block the only thread.
       return ANT_FAIL;
   }
 }
@@ -244,7 +244,7 @@ void IpStack::acceptOn(TcpPort& port) {
       port.waiting.pop_front();
       find<TcpEndpoint>(antModuleRef(endpoint))->accept(std::move(*connection));
     }
-    // Otherwise no endpoint is listening, and the client's connection is closed.
+    // If no endpoint is listening, the client's connection is closed.
   }
 }
 

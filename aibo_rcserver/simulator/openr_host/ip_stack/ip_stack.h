@@ -27,7 +27,7 @@ class IpStack {
  public:
   /// @param bind_address this computer's IPv4 address for all ports
   /// @param deliver returns answered messages to their objects
-  /// @param objects_are_busy true while messages are waiting for objects; until then no client is turned away for lack
+  /// @param objects_are_busy true while messages are waiting for objects; meanwhile no client is turned away for lack
   ///   of an endpoint, because an object may be about to listen
   IpStack(std::string bind_address, Deliver deliver, std::function<bool()> objects_are_busy);
 
@@ -36,11 +36,11 @@ class IpStack {
   /// @throw the exceptions of TcpListener
   std::uint16_t takePort(std::uint16_t robot_port, std::uint16_t host_port);
 
-  /// For antEnvMsg::Call().
+  /// Carries out antEnvMsg::Call().
   antError call(antEnvMsg& message, std::size_t size);
 
-  /// For antEnvMsg::Send().
-  /// @param object, entry receive the answer
+  /// Carries out antEnvMsg::Send().
+  /// @param object, entry the receiver of the answer
   antError send(const antEnvMsg& message, std::size_t size, const OID& object, Selector entry);
 
   /// Removes closed endpoints, and adds all sockets that wait, with handlers.

@@ -21,7 +21,7 @@ void PollSet::add(int fd, short events, Handler handler) {
 bool PollSet::wait(const std::optional<std::chrono::steady_clock::time_point>& deadline) {
   timespec timeout{};
   if (deadline) {
-    // poll()'s milliseconds are too coarse for frames of 8 ms.
+    // The wait has a finer unit than poll()'s milliseconds, which are too coarse for frames of 8 ms.
     const auto left =
         std::max(std::chrono::steady_clock::duration::zero(), *deadline - std::chrono::steady_clock::now());
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(left);
@@ -30,7 +30,7 @@ bool PollSet::wait(const std::optional<std::chrono::steady_clock::time_point>& d
   }
   const int ready = ppoll(descriptors_.data(), descriptors_.size(), deadline ? &timeout : nullptr, nullptr);
   if (ready < 0 && errno == ENOMEM) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));  // until the kernel has memory again
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));  // wait until the kernel has memory again
   } else if (ready < 0 && errno != EINTR) {
     throw std::system_error(errno, std::generic_category(), "ppoll");
   }

@@ -11,22 +11,22 @@
 
 namespace openr_host {
 
-/// The descriptors for one wait. It is filled again for every wait: there are few sockets, and their events change all
-/// the time.
+/// The descriptors for one wait. The set is filled again for every wait, because there are few sockets, and their
+/// events change all the time.
 class PollSet {
  public:
   using Handler = std::function<void()>;
 
-  /// Keeps the memory for the next descriptors.
+  /// Removes all descriptors, but keeps the memory for the next ones.
   void clear();
 
   /// @param events POLLIN, POLLOUT or both; errors are always included
   /// @param handler called by wait() after an event; it may close its own descriptor, but no other
   void add(int fd, short events, Handler handler);
 
-  /// Waits for a descriptor, up to the deadline (forever without one). Then calls the handlers of ready descriptors, in
-  /// the order of add().
-  /// @return false if none was ready
+  /// Waits for a descriptor, up to the deadline (forever without one). After that, calls the handlers of ready
+  /// descriptors, in the order of add().
+  /// @return false if no descriptor was ready
   /// @throw std::system_error
   bool wait(const std::optional<std::chrono::steady_clock::time_point>& deadline);
 

@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t kPage = 4096;
 
-/// Far more than the robot's 64 MB, so a larger size must be a mistake.
+/// The largest size. It is far more than the robot's 64 MB, so a larger size must be a mistake.
 constexpr std::size_t kLargest = std::size_t{1} << 30;
 
 }  // namespace

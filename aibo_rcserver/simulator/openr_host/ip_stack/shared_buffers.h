@@ -11,7 +11,7 @@ namespace openr_host {
 /// Memory shared by objects and the IPStack.
 class SharedBuffers {
  public:
-  /// @param size rounded up to pages of 4096 bytes (OPEN-R SDK Internet Protocol Version4)
+  /// @param size the size, which is rounded up to pages of 4096 bytes (OPEN-R SDK Internet Protocol Version4)
   /// @return null if size is 0 or memory is lacking
   void* create(std::size_t size);
 

@@ -23,7 +23,7 @@ char* IPAddress::GetAsString(char* text) const {
 namespace openr_host {
 namespace {
 
-/// After this time without an answer, the other side has vanished.
+/// How long the other side may leave something unanswered before it counts as vanished.
 constexpr std::chrono::milliseconds kPatience{2000};
 
 bool setOption(int fd, int level, int name, int value) {
@@ -57,10 +57,10 @@ SocketAddress SocketAddress::parse(const std::string& address, Port port) {
 }
 
 bool configureTcpConnection(int socket) {
-  // A reply must not wait for the acknowledgement of the previous one.
+  // Without TCP_NODELAY, a reply would wait for the acknowledgement of the previous one.
   return setOption(socket, IPPROTO_TCP, TCP_NODELAY, 1) &&
-         // A client that is off or out of reach sends nothing. So this probes it every second, and waits at most
-         // kPatience for an acknowledgement.
+         // A client that is off or out of reach sends nothing. So the kernel probes the client every second, and waits
+         // at most kPatience for an acknowledgement.
          setOption(socket, SOL_SOCKET, SO_KEEPALIVE, 1) && setOption(socket, IPPROTO_TCP, TCP_KEEPIDLE, 1) &&
          setOption(socket, IPPROTO_TCP, TCP_KEEPINTVL, 1) && setOption(socket, IPPROTO_TCP, TCP_KEEPCNT, 2) &&
          setOption(socket, IPPROTO_TCP, TCP_USER_TIMEOUT, static_cast<int>(kPatience.count()));

@@ -37,7 +37,7 @@ class FileDescriptor {
   int fd_ = -1;
 };
 
-/// In OPEN-R's types.
+/// An address and a port in OPEN-R's types.
 struct SocketAddress {
   IPAddress address;
   Port port = 0;
@@ -47,7 +47,7 @@ struct SocketAddress {
   explicit SocketAddress(const sockaddr_in& system)
       : address(ntohl(system.sin_addr.s_addr)), port(ntohs(system.sin_port)) {}
 
-  /// In the kernel's format.
+  /// The same in the kernel's format.
   sockaddr_in system() const;
 
   /// The socket's own address; all 0 if it has none.

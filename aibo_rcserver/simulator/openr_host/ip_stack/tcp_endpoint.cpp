@@ -10,13 +10,13 @@
 namespace openr_host {
 namespace {
 
-/// For a connection that was not established.
+/// The errors of a connection that was not established.
 const std::map<int, TCPEndpointError> kConnectErrors = {
     {ECONNREFUSED, TCP_PORT_UNREACHABLE}, {EHOSTUNREACH, TCP_HOST_UNREACHABLE}, {ENETUNREACH, TCP_NETWORK_UNREACHABLE},
     {EINVAL, TCP_ADDRESSERROR},           {EACCES, TCP_ADDRESSERROR},           {EADDRNOTAVAIL, TCP_ADDRESSERROR},
     {EPIPE, TCP_CONNECTION_CLOSED},       {ECONNRESET, TCP_CONNECTION_RESET},   {ETIMEDOUT, TCP_CONNECTION_TIMEOUT}};
 
-/// For a connection that broke.
+/// The errors of a connection that broke.
 const std::map<int, TCPEndpointError> kErrors = {{EPIPE, TCP_CONNECTION_CLOSED},
                                                  {ECONNRESET, TCP_CONNECTION_RESET},
                                                  {ETIMEDOUT, TCP_CONNECTION_TIMEOUT},
@@ -249,7 +249,7 @@ void TcpEndpoint::addTo(PollSet& poll_set) {
   }
   const bool reads = receiving_ || (closing_ && !other_side_closed_);
   if (!sending_ && !reads) {
-    // No request is unanswered, and a broken connection would wake the poll again and again.
+    // Nothing is waited for: no request is unanswered, and a broken connection would wake the poll again and again.
     return;
   }
   const int events = (reads ? POLLIN : 0) | (sending_ ? POLLOUT : 0);

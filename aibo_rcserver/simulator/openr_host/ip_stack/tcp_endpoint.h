@@ -16,13 +16,13 @@ class TcpEndpoint : public Endpoint {
   static constexpr TCPEndpointError kOperationInvalid = TCP_OPERATION_INVALID;
   static constexpr TCPEndpointError kBufferInvalid = TCP_BUFFER_INVALID;
 
-  /// @param pool_size of the socket's send buffer, in bytes
-  /// @param deliver must outlive this
+  /// @param pool_size the size of the socket's send buffer, in bytes
+  /// @param deliver must outlive the object
   TcpEndpoint(int pool_size, const Deliver& deliver);
 
   bool isNew() const { return state_ == State::kNew; }
 
-  /// These requests are answered later, or at once with an error.
+  /// The requests below are answered later, or at once with an error.
   void listen(const Envelope& message);
   void connect(const Envelope& message);
   void send(const Envelope& message);

@@ -13,8 +13,8 @@
 namespace openr_host {
 namespace {
 
-/// Pause before another attempt without descriptors or memory; otherwise, the waiting client would wake the server at
-/// once. It is shorter than a frame.
+/// The pause before another attempt if there is no descriptor or memory; without it, the waiting client would wake the
+/// server at once. The pause is shorter than a frame.
 constexpr std::chrono::milliseconds kPause{5};
 
 }  // namespace
@@ -22,7 +22,7 @@ constexpr std::chrono::milliseconds kPause{5};
 TcpListener::TcpListener(const std::string& address, std::uint16_t port)
     : socket_(socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)) {
   const sockaddr_in bound = SocketAddress::parse(address, port).system();
-  // Otherwise a restarted server would wait until the kernel forgets its last connections.
+  // Without SO_REUSEADDR, a restarted server would wait until the kernel forgets its last connections.
   const int reuse = 1;
   if (!socket_.isOpen() || setsockopt(socket_.get(), SOL_SOCKET, SO_REUSEADDR, &reuse, sizeof(reuse)) != 0 ||
       bind(socket_.get(), reinterpret_cast<const sockaddr*>(&bound), sizeof(bound)) != 0 ||

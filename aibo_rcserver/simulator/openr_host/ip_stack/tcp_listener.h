@@ -18,7 +18,7 @@ struct TcpConnection {
 
 class TcpListener {
  public:
-  /// @param address of this computer; "0.0.0.0" means all of them
+  /// @param address an address of this computer; "0.0.0.0" means all of them
   /// @param port 0 means any free port
   /// @throw std::system_error the port is in use or not allowed
   /// @throw std::invalid_argument the text is not an address
@@ -27,7 +27,7 @@ class TcpListener {
   int fd() const { return socket_.get(); }
   std::uint16_t port() const { return port_; }
 
-  /// The next waiting client, if any. Without free descriptors or memory, it waits on.
+  /// The next client that waits, if there is one. It goes on waiting if there is no free descriptor or memory.
   std::optional<TcpConnection> accept();
 
  private:

@@ -17,17 +17,17 @@ class UdpEndpoint : public Endpoint {
   static constexpr UDPEndpointError kOperationInvalid = UDP_OPERATION_INVALID;
   static constexpr UDPEndpointError kBufferInvalid = UDP_BUFFER_INVALID;
 
-  /// @param pool_size of the socket's send buffer, in bytes
-  /// @param deliver must outlive this
+  /// @param pool_size the size of the socket's send buffer, in bytes
+  /// @param deliver must outlive the object
   UdpEndpoint(int pool_size, const Deliver& deliver);
 
-  /// These requests are answered at once.
+  /// The requests below are answered at once.
   /// @param bind_address an address of this computer
-  /// @param host_port this computer's port for the robot's; 0 if the robot's may be any
+  /// @param host_port the port of this computer that stands for the robot's; 0 if the robot's may be any
   void bind(UDPEndpointBindMsg& message, const std::string& bind_address, Port host_port);
   void close(UDPEndpointCloseMsg& message);
 
-  /// These requests are answered later, or at once with an error.
+  /// The requests below are answered later, or at once with an error.
   void send(const Envelope& message);
   void receive(const Envelope& message);
 
@@ -43,7 +43,7 @@ class UdpEndpoint : public Endpoint {
 
   const int pool_size_;
   const Deliver& deliver_;
-  FileDescriptor socket_;  ///< from bind() to close()
+  FileDescriptor socket_;  ///< open from bind() to close()
   bool is_closed_ = false;
   PendingMessage<UDPEndpointSendMsg> sending_;
   PendingMessage<UDPEndpointReceiveMsg> receiving_;

@@ -12,8 +12,8 @@
 
 namespace openr_host {
 
-/// Command vectors from one object to OVirtualRobotComm.Effector. The first one is being output, a frame of 8 ms at a
-/// time. The others follow without a gap.
+/// Command vectors from one object to OVirtualRobotComm.Effector. The first vector is being output, a frame of 8 ms at
+/// a time. The other vectors follow without a gap.
 ///
 /// Values are read when they are output. So, as on the robot, an object that writes to a vector before its region is
 /// free (RCRegion::NumberOfReference()) changes the movement.
@@ -27,7 +27,7 @@ class CommandQueue {
   /// Adds the commands of the next frame. An entry with fewer frames than others commands nothing in the remaining
   /// ones. A value that lasts several frames is commanded in the first one. A vector's header can delay it (Level2
   /// Reference Guide, pages 45 to 50).
-  /// @return true after the last frame of a vector: its region is free
+  /// @return true after the last frame of a vector, whose region is then free
   bool next(EffectorCommands* commands);
 
   bool isEmpty() const { return vectors_.empty(); }

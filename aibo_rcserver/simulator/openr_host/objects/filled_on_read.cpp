@@ -8,7 +8,7 @@
 namespace openr_host {
 namespace {
 
-/// All such memory, of all robots in this process.
+/// All memory of this kind, of all robots in this process.
 struct Registry {
   std::mutex mutex;
   std::map<const char*, FilledOnRead*, std::less<>> by_begin;

@@ -8,13 +8,13 @@
 
 namespace openr_host {
 
-/// Memory that is filled only if somebody reads it. It saves a robot the work for unread camera images: the robot hands
-/// over images when they are due, and fills in pixels when OFbkImage gives them to an object.
+/// Memory that is filled only if somebody reads it. This saves a robot the work for camera images that nobody reads:
+/// the robot hands over images when they are due, and fills in pixels when OFbkImage gives them to an object.
 ///
 /// An object reads in its machine's thread, which is also the robot's. Other threads may do the same with other robots.
 class FilledOnRead {
  public:
-  /// @param memory, size must outlive this, and not overlap another one's memory
+  /// @param memory, size must outlive the object, and not overlap the memory of another one
   FilledOnRead(const void* memory, std::size_t size);
   ~FilledOnRead();
   FilledOnRead(const FilledOnRead&) = delete;
@@ -24,7 +24,7 @@ class FilledOnRead {
   /// @param fill called at most once, in the thread of read(); replaces an earlier one
   void fillBy(std::function<void()> fill) { fill_ = std::move(fill); }
 
-  /// Call before reading at an address. Fills the memory that contains the address, unless it is filled already.
+  /// Call this before an address is read. It fills the memory with the address, unless it is filled already.
   /// @param address any address, even outside all such memory
   static void read(const void* address);
 

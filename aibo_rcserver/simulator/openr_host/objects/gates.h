@@ -9,7 +9,7 @@
 #include <boost/smart_ptr/intrusive_ptr.hpp>
 #include <vector>
 
-/// For boost::intrusive_ptr.
+/// The two functions that boost::intrusive_ptr needs.
 inline void intrusive_ptr_add_ref(RCRegion* region) {
   region->AddReference();
 }
@@ -42,7 +42,7 @@ class ObserverService {
 
   void connect(const SubjectID& subject) { subjects_.push_back(subject); }
 
-  /// Tells all subjects, or one of them, whether the observer is ready. Ignores a subject that is not connected.
+  /// Tells all subjects, or one of them, whether the observer is ready. A subject that is not connected is ignored.
   void announceReady(bool ready);
   void announceReady(const SubjectID& subject, bool ready);
 
@@ -96,7 +96,7 @@ class SubjectService {
     ObserverID observer;
     Readiness readiness = Readiness::kUnknown;
     Regions set{};   ///< data set since the last notification
-    Regions kept{};  ///< the newest notification, until the observer is ready
+    Regions kept{};  ///< the newest notification, kept until the observer is ready
   };
 
   Connection* find(const ObserverID& observer);

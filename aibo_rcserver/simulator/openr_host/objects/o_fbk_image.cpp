@@ -4,7 +4,7 @@
 
 namespace {
 
-/// Bands of a layer are interleaved row by row.
+/// How many bands a layer has. They are interleaved row by row.
 int numberOfBands(ODataType type) {
   switch (type) {
     case odataFBK_YCrCb:

@@ -24,14 +24,14 @@ class VectorMemory {
   /// @return null if `entries` is 0 or above kMostEntries
   OCommandVectorData* createCommands(std::size_t entries);
 
-  /// Creates an empty vector with room for `sounds` of so many bytes each.
-  /// @return null if that is nothing, or above kMostEntries or kMostSoundBytes
+  /// Creates an empty vector with room for `sounds` sounds of `bytes` bytes each.
+  /// @return null if that would be nothing, or more than kMostEntries or kMostSoundBytes
   OSoundVectorData* createSounds(std::size_t sounds, std::size_t bytes);
 
-  /// A minute of sound; more must be a mistake.
+  /// The most bytes of sound: a minute. More must be a mistake.
   static constexpr std::size_t kMostSoundBytes = 60 * 32000;
 
-  /// Creates memory without tables.
+  /// Creates memory for colour tables, without any.
   OCdtVectorData* createCdt();
 
   /// @return null if no colour tables have this id
@@ -57,8 +57,8 @@ class VectorMemory {
 /// Files of the memory stick in objects' memory: OPENR::FindDesignData().
 class DesignData {
  public:
-  /// @param memory_stick folder of the memory stick
-  /// @param design the robot's model
+  /// @param memory_stick the folder of the memory stick
+  /// @param design the robot's design
   DesignData(std::string memory_stick, std::string design)
       : memory_stick_(std::move(memory_stick)), design_(std::move(design)) {}
 

@@ -25,7 +25,7 @@ std::string format(const char* format, std::va_list arguments) {
   return size > 0 ? text : "";
 }
 
-/// An object can print even in a test without a machine.
+/// Prints a text, even from an object in a test without a machine.
 void print(const std::string& text) {
   if (auto* system = System::currentOrNull()) {
     system->console().print(text);

@@ -13,7 +13,7 @@
 
 namespace {
 
-/// The object must have registered the gate.
+/// Returns the gate's service, which the object must have registered.
 template <typename Service>
 Service& registered(Service* service) {
   if (service == nullptr) {

@@ -74,7 +74,7 @@ int __wrap_stat(const char* path, struct stat* status) {
   return call(path, -1, [&](const char* file) { return stat(file, status); });
 }
 
-// What stat() is with glibc before 2.33.
+// The function that stat() calls with glibc before 2.33.
 int __wrap___xstat(int /*version*/, const char* path, struct stat* status) {
   return __wrap_stat(path, status);
 }

@@ -291,7 +291,7 @@ void System::handle(Message message) {
   }
 }
 
-/// What the object has posted leaves it, and it gives back the data that it received.
+/// Finishes an object's work: what it has posted leaves it, and it gives back the data that it received.
 void System::finish(LoadedObject& object) {
   messages_.insert(messages_.end(), std::make_move_iterator(object.posted.begin()),
                    std::make_move_iterator(object.posted.end()));

@@ -26,7 +26,7 @@ namespace openr_host {
 
 enum class ShutdownRequest { kNone, kStayOff, kBootAgain };
 
-/// Internal to openr_host; Machine is the public interface.
+/// The system's inside, for openr_host only. Machine is the public interface.
 class System {
  public:
   /// @param memory_stick see DesignData
@@ -40,7 +40,7 @@ class System {
   /// The system of the object that is running on this thread.
   /// @throw std::logic_error no object is running
   static System& current();
-  /// Null if no object is running.
+  /// The same; null if no object is running.
   static System* currentOrNull();
 
   Console& console() { return console_; }
@@ -55,8 +55,8 @@ class System {
   /// @param now returns the time since the creation of the machine's clock
   void modelTime(HandlerTime handler_time, std::function<std::chrono::nanoseconds()> now);
 
-  /// For OPENR::ObservePowerStatus() (Level2 Reference Guide, page 79). Only robotStatus and batteryStatus are watched,
-  /// because nobody asks for the rest.
+  /// Carries out OPENR::ObservePowerStatus() (Level2 Reference Guide, page 79). Only robotStatus and batteryStatus are
+  /// watched, because nobody asks for the rest.
   OStatus observePower(const OPowerStatus& wanted, const OServiceEntry& entry);
   OStatus unobservePower(const OServiceEntry& entry);
 
@@ -76,11 +76,11 @@ class System {
   /// @param subject, observer from serviceNames()
   /// @throw std::runtime_error an object has not registered its services
   void connect(const std::string& subject, const std::string& observer);
-  /// Calls DoStart() of all objects. The messages that they were sent when they were connected come first: the
-  /// effectors and the speaker are ready by then, as Sony's samples expect, which send data from DoStart().
+  /// Calls DoStart() of all objects. First it handles the messages that the objects were sent when they were connected.
+  /// So the effectors and the speaker are ready in DoStart(), from which Sony's samples send data.
   /// @throw std::runtime_error an object fails; the text names it
   void start();
-  /// For OPENR::Shutdown(). Has no effect until the machine reads shutdownRequest().
+  /// Carries out OPENR::Shutdown(). It has no effect until the machine reads shutdownRequest().
   void requestShutdown(bool boot_again) {
     shutdown_requested_ = boot_again ? ShutdownRequest::kBootAgain : ShutdownRequest::kStayOff;
   }
@@ -106,8 +106,7 @@ class System {
   /// When the next busy object finishes.
   std::optional<std::chrono::nanoseconds> nextFinish() const;
 
-  /// For OSubject and OObserver.
-  /// Registers a gate until its destructor calls forget().
+  /// Registers a gate, an OSubject or OObserver, until its destructor calls forget().
   void add(SubjectService& subject) { subjects_.push_back(&subject); }
   void add(ObserverService& observer) { observers_.push_back(&observer); }
   void forget(const SubjectService& subject);
@@ -147,11 +146,11 @@ class System {
     bool initialized = false;
     bool started = false;
     std::chrono::nanoseconds busy_until{0};
-    std::optional<Message> handled{};  ///< the message that keeps it busy, whose data it still has
-    std::vector<Message> posted{};     ///< meanwhile
+    std::optional<Message> handled{};  ///< the message that keeps the object busy, whose data it still has
+    std::vector<Message> posted{};     ///< the messages that the object has posted meanwhile
   };
 
-  /// Marks an object as running while this exists.
+  /// Marks an object as running while this marker exists.
   class Running;
 
   LoadedObject& loaded(const OID& oid);

@@ -22,7 +22,7 @@ void require(bool condition, const std::string& otherwise) {
   }
 }
 
-/// A vector with what the microphones have heard from this frame on. It belongs to nobody yet.
+/// Makes a vector of what the microphones have heard from this frame on. The vector belongs to nobody yet.
 RegionReference makeVector(longword frame, const std::vector<OSoundSampleStereo16>& samples) {
   const std::size_t size = samples.size() * sizeof(samples[0]);
   auto* const region = new RCRegion(sizeof(OSoundVectorData) + size);
@@ -124,7 +124,7 @@ void VirtualRobotAudioComm::takeSound(const ONotifyEvent& event) {
   }
 }
 
-/// @throw std::invalid_argument the speaker does not play this
+/// @throw std::invalid_argument the speaker does not play such a vector
 std::vector<sword> VirtualRobotAudioComm::readSamples(const RCRegion& region) const {
   require(region.Size() >= sizeof(OSoundVectorData), "its region has no room for a sound");
   OSoundVectorData vector{};
@@ -154,7 +154,7 @@ std::vector<sword> VirtualRobotAudioComm::readSamples(const RCRegion& region) co
   return samples;
 }
 
-/// The next 8 ms; empty if nothing is to be played.
+/// The sound of the next 8 ms; empty if nothing is to be played.
 std::optional<SpeakerFrame> VirtualRobotAudioComm::play() {
   if (sounds_.empty()) {
     return std::nullopt;

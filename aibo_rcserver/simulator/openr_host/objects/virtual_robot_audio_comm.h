@@ -21,10 +21,10 @@ namespace openr_host {
 /// and 63).
 ///
 /// Microphone vectors last 16 ms, as Sony's sample SoundRec says of the ERS-7; the guide says 32 ms of all robots. If
-/// the host has delayed the process, several come in one notification, so that no sound is lost.
+/// the host has delayed the process, several vectors come in one notification, so that no sound is lost.
 ///
-/// The speaker plays vectors one after the other, each from the frame after it came, and asserts READY when one has
-/// been output. To avoid gaps, an object should first send two vectors, and then one more for each READY.
+/// The speaker plays vectors one after the other, each from the frame after it came, and asserts READY when a vector
+/// has been output. To avoid gaps, an object should first send two vectors, and then one more for each READY.
 class VirtualRobotAudioComm : public OObject {
  public:
   static constexpr longword kFramesPerMicrophoneVector = 2;
@@ -40,7 +40,7 @@ class VirtualRobotAudioComm : public OObject {
   /// Called when a frame of 8 ms has begun. Frames since the last call are made up.
   void beginFrame(longword frame);
 
-  /// True while each frame matters: something is played, or somebody listens.
+  /// True while each frame matters, because something is played or somebody listens.
   bool isActive() const;
 
  private:
@@ -65,7 +65,7 @@ class VirtualRobotAudioComm : public OObject {
   std::vector<SubjectID> refused_;  ///< senders of a vector that was refused; they get READY in the next frame
   std::vector<OSoundSampleStereo16> heard_;
   std::optional<longword> last_frame_;
-  bool is_listened_to_ = false;  ///< since an object was first ready, until none wants more
+  bool is_listened_to_ = false;  ///< true from the moment at which an object is ready until no object wants more
 };
 
 }  // namespace openr_host

@@ -11,7 +11,7 @@
 namespace openr_host {
 namespace {
 
-/// 32 ms (OPEN-R SDK Level2 Reference Guide). Vectors begin with the frames 0, 4, 8...
+/// The length of a vector, 32 ms (OPEN-R SDK Level2 Reference Guide). Vectors begin with the frames 0, 4, 8...
 constexpr longword kFramesPerSensorVector = 4;
 
 }  // namespace
@@ -93,7 +93,7 @@ void VirtualRobotComm::passFrame(longword frame) {
   }
 }
 
-// Busy observers find the newest vector (Level2 Reference Guide, page 18).
+// Sends sensor readings. Busy observers find the newest vector (Level2 Reference Guide, page 18).
 void VirtualRobotComm::sense(longword frame) {
   if (sensor_->isWanted()) {
     has_sensed_ = true;
@@ -129,7 +129,7 @@ void VirtualRobotComm::takeCommands(const ONotifyEvent& event) {
     try {
       sender.commands.add(*event.RCData(i), robot_);
     } catch (const std::invalid_argument& error) {
-      // READY follows in the next frame, so malformed vectors cannot make an endless loop.
+      // READY follows only in the next frame, so that malformed vectors cannot make an endless loop.
       ++sender.refused;
       OSYSLOG1((osyslogERROR, "command vector refused: %s", error.what()));
     }

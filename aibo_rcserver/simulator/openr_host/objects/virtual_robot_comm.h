@@ -19,9 +19,9 @@ namespace openr_host {
 /// The system object OVirtualRobotComm: gates between the robot's body and the objects (Level2 Reference Guide, page
 /// 44).
 ///
-/// Any number of objects may command the body at the same time, each its own primitives. An object gets READY whenever
-/// one of its vectors is complete, and first when it is connected. To avoid gaps, it first sends two vectors, and then
-/// one for each READY.
+/// Any number of objects may command the body at the same time, each with its own primitives. An object gets READY
+/// whenever one of its vectors is complete, and first when it is connected. To avoid gaps, an object first sends two
+/// vectors, and then one for each READY.
 class VirtualRobotComm : public OObject {
  public:
   static ObjectDescription describe(VirtualRobot& robot);
@@ -32,7 +32,7 @@ class VirtualRobotComm : public OObject {
   OStatus DoStop(const OSystemEvent& event) override;
   OStatus DoDestroy(const OSystemEvent& event) override;
 
-  /// Call when a frame of 8 ms has begun. Frames since the last call are made up.
+  /// Call this when a frame of 8 ms has begun. Frames since the last call are made up for.
   void beginFrame(longword frame);
 
   /// The next frame with something for objects: sensors, an image, or READY for a command vector. Earlier frames may
@@ -44,7 +44,7 @@ class VirtualRobotComm : public OObject {
   struct Commander {
     SubjectID subject;
     CommandQueue commands;
-    std::size_t refused = 0;  ///< vectors for which it gets READY in the next frame
+    std::size_t refused = 0;  ///< number of refused vectors for which the object gets READY in the next frame
   };
 
   Commander& commander(const SubjectID& subject);

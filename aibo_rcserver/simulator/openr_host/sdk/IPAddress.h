@@ -4,7 +4,7 @@
 
 #include <antTypes.h>
 
-/// Version 4.
+/// An address of IP version 4.
 class IPAddress {
  public:
   IPAddress() : address_(0) {}

@@ -7,7 +7,7 @@
 /// The identity of an object. Only the system creates valid ones; objects compare them and pass them on.
 class OID {
  public:
-  /// Identifies no object.
+  /// Makes an OID that identifies no object.
   OID() : address_(0) { MakeInvalid(); }
   // NOLINTNEXTLINE(google-explicit-constructor): as in the SDK
   OID(void* address) : address_(address) {}

@@ -10,13 +10,13 @@
 enum TCPEndpointError {
   TCP_SUCCESS = 0,
   TCP_FAIL = 1,                ///< the host failed, or the message can only be sent, not called
-  TCP_CONNECTION_CLOSED = 2,   ///< by the other side or a TCPEndpointCloseMsg
-  TCP_CONNECTION_RESET = 3,    ///< by the other side
+  TCP_CONNECTION_CLOSED = 2,   ///< closed by the other side or by a TCPEndpointCloseMsg
+  TCP_CONNECTION_RESET = 3,    ///< reset by the other side
   TCP_CONNECTION_TIMEOUT = 4,  ///< the other side has vanished, or has not read for 2 s
   TCP_CONNECTION_BUSY = 5,     ///< another send (for a send) or receive (for a receive) has not finished
   TCP_ADDRESSINUSE = 6,        ///< another program has the port
   TCP_ADDRESSERROR = 7,        ///< this address is impossible
-  TCP_PORT_UNREACHABLE = 8,    ///< no program listens there
+  TCP_PORT_UNREACHABLE = 8,    ///< no program listens at the port
   TCP_PROTOCOL_UNREACHABLE = 9,
   TCP_HOST_UNREACHABLE = 10,
   TCP_NETWORK_UNREACHABLE = 11,
@@ -70,16 +70,16 @@ class TCPEndpointListenMsg : public TCPEndpointAddressesMsg {
 class TCPEndpointConnectMsg : public TCPEndpointAddressesMsg {
  public:
   /// @param address, port must be IP_ADDR_ANY and IP_PORT_ANY
-  /// @param foreign, foreign_port the server's
+  /// @param foreign, foreign_port the address and port of the server
   TCPEndpointConnectMsg(const antModuleRef& endpoint, const IPAddress& address, Port port, const IPAddress& foreign,
                         Port foreign_port)
       : TCPEndpointAddressesMsg(antOperation_TCPConnect, endpoint, address, port, foreign, foreign_port) {}
 };
 
-/// The answer comes when all bytes are in the stack's memory, or with an error.
+/// Sends bytes. The answer comes when all of them are in the stack's memory, or with an error.
 class TCPEndpointSendMsg : public TCPEndpointBaseMsg {
  public:
-  /// @param data in a shared buffer; must not change until the answer
+  /// @param data the bytes, in a shared buffer; must not change until the answer
   /// @param bytes at least 1
   TCPEndpointSendMsg(const antModuleRef& endpoint, byte* data, int bytes)
       : TCPEndpointBaseMsg(antOperation_TCPSend, endpoint), buffer(data), size(bytes) {}
@@ -88,17 +88,17 @@ class TCPEndpointSendMsg : public TCPEndpointBaseMsg {
   int size;
 };
 
-/// The answer comes when sizeMin bytes have arrived, or with an error.
+/// Receives bytes. The answer comes when sizeMin of them have arrived, or with an error.
 class TCPEndpointReceiveMsg : public TCPEndpointBaseMsg {
  public:
-  /// @param data in a shared buffer with room for `max` bytes
+  /// @param data the place for the bytes, in a shared buffer with room for `max` of them
   /// @param min 1..max
   TCPEndpointReceiveMsg(const antModuleRef& endpoint, byte* data, int min, int max)
       : TCPEndpointBaseMsg(antOperation_TCPReceive, endpoint), buffer(data), sizeMin(min), sizeMax(max) {}
 
   byte* buffer;
   int sizeMin;  ///< in the answer: the bytes received, even before an error
-  int sizeMax;  ///< in the answer: likewise
+  int sizeMax;  ///< in the answer: the same as sizeMin
 };
 
 /// Closes the endpoint, whatever it is doing. An unfinished request is first answered with TCP_CONNECTION_CLOSED. After
@@ -106,7 +106,7 @@ class TCPEndpointReceiveMsg : public TCPEndpointBaseMsg {
 ///
 /// The answer comes when the connection is fully closed: at once with `abort` or if the other side has closed already;
 /// otherwise when the other side closes, which may be never. An object that cannot wait sends a second
-/// TCPEndpointCloseMsg with `abort`, which ends the waiting. Both are then answered.
+/// TCPEndpointCloseMsg with `abort`, which ends the wait. Both messages are then answered.
 class TCPEndpointCloseMsg : public TCPEndpointBaseMsg {
  public:
   explicit TCPEndpointCloseMsg(const antModuleRef& endpoint, bool lingers = false, int linger_time = 0,
@@ -115,7 +115,7 @@ class TCPEndpointCloseMsg : public TCPEndpointBaseMsg {
 
   bool abort;      ///< true: the other side sees a reset; false: it gets everything that was sent, then the end
   bool linger;     ///< no effect on Linux; the SDK does not document it
-  int lingerTime;  ///< no effect either
+  int lingerTime;  ///< also no effect on Linux
 };
 
 #endif  // OPENR_TCPENDPOINTMSG_H

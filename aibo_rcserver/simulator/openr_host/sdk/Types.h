@@ -8,8 +8,8 @@ typedef unsigned char byte;
 typedef signed char sbyte;
 typedef unsigned short word;
 typedef signed short sword;
-/// 32 bits in every data layout. On the robot it is an unsigned long, which usually has 64 bits on Linux, so here it is
-/// an unsigned int. Print it with a cast.
+/// A number of 32 bits in every data layout. On the robot it is an unsigned long, which usually has 64 bits on Linux,
+/// so here it is an unsigned int. Use a cast to print it.
 typedef unsigned int longword;
 typedef signed int slongword;
 

@@ -10,15 +10,15 @@
 enum UDPEndpointError {
   UDP_SUCCESS = 0,
   UDP_FAIL = 1,
-  UDP_CONNECTION_CLOSED = 2,  ///< by a UDPEndpointCloseMsg
+  UDP_CONNECTION_CLOSED = 2,  ///< closed by a UDPEndpointCloseMsg
   UDP_CONNECTION_BUSY = 3,    ///< another send (for a send) or receive (for a receive) has not finished
   UDP_ADDRESSINUSE = 4,       ///< another program has the port
   UDP_ADDRESSERROR = 5,       ///< this address is impossible
-  UDP_PORT_UNREACHABLE = 6,   ///< nothing received an earlier packet
+  UDP_PORT_UNREACHABLE = 6,   ///< no program received an earlier packet
   UDP_PROTOCOL_UNREACHABLE = 7,
   UDP_HOST_UNREACHABLE = 8,
   UDP_NETWORK_UNREACHABLE = 9,
-  UDP_MESSAGE_TOO_LONG = 10,  ///< too large for a packet
+  UDP_MESSAGE_TOO_LONG = 10,  ///< the message is too large for a packet
   UDP_TTL_EXCEEDED = 11,
   UDP_TIME_EXCEEDED = 12,
   UDP_BUFFER_INVALID = 13,     ///< the data is not in a shared buffer, or a size is out of range
@@ -52,7 +52,7 @@ class UDPEndpointBindMsg : public UDPEndpointBaseMsg {
 /// Sends a packet. The answer comes when the packet is in the stack's memory, or with an error.
 class UDPEndpointSendMsg : public UDPEndpointBaseMsg {
  public:
-  /// @param data in a shared buffer; must not change until the answer
+  /// @param data the bytes, in a shared buffer; must not change until the answer
   /// @param bytes at least 1
   UDPEndpointSendMsg(const antModuleRef& endpoint, const IPAddress& foreign, Port foreign_port, byte* data, int bytes)
       : UDPEndpointBaseMsg(antOperation_UDPSend, endpoint),
@@ -70,12 +70,12 @@ class UDPEndpointSendMsg : public UDPEndpointBaseMsg {
 /// Receives a packet. Bytes that do not fit into the buffer are lost.
 class UDPEndpointReceiveMsg : public UDPEndpointBaseMsg {
  public:
-  /// @param data in a shared buffer with room for `bytes`, at least 1
+  /// @param data the place for the bytes, in a shared buffer with room for `bytes`, at least 1
   UDPEndpointReceiveMsg(const antModuleRef& endpoint, byte* data, int bytes)
       : UDPEndpointBaseMsg(antOperation_UDPReceive, endpoint), port(0), buffer(data), size(bytes) {}
 
-  IPAddress address;  ///< in the answer: the sender's
-  Port port;          ///< in the answer: the sender's
+  IPAddress address;  ///< in the answer: the address of the sender
+  Port port;          ///< in the answer: the port of the sender
   byte* buffer;
   int size;  ///< in the answer: the bytes received
 };

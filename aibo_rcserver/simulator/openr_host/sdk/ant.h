@@ -42,7 +42,7 @@ class antSharedBuffer {
   /// On the robot this must precede GetAddress(). On Linux the memory is always mapped.
   antError Map() const { return address_ != 0 ? ANT_SUCCESS : ANT_FAIL; }
   void* GetAddress() const { return address_; }
-  /// In bytes: a multiple of the page size.
+  /// The size in bytes, a multiple of the page size.
   uint32 GetSize() const { return size_; }
   antError UnMap() const { return Map(); }
 
@@ -68,17 +68,17 @@ enum antOperation {
 
 class antEnvMsg {
  public:
-  /// Asks and waits for the answer. Only for requests that are answered at once: shared buffers, creating endpoints,
-  /// binding UDP endpoints, and closing without waiting for the other side.
-  /// @param size of the message, or more
+  /// Asks and waits for the answer. This is only for requests that are answered at once: shared buffers, creating
+  /// endpoints, binding UDP endpoints, and closing without waiting for the other side.
+  /// @param size the size of the message, or more
   antError Call(const antStackRef& stack, size_t size);
 
   /// Sends a request and returns. Later the object's entry gets a copy with the answer.
-  /// @param object, entry usually myOID_ and Extra_Entry[entryNAME]
-  /// @param size of the message, or more
+  /// @param object, entry the receiver of the answer, usually myOID_ and Extra_Entry[entryNAME]
+  /// @param size the size of the message, or more
   antError Send(const antStackRef& stack, const OID& object, Selector entry, size_t size);
 
-  /// Valid until the `Extra` entry returns.
+  /// Returns the message with the answer. It is valid until the `Extra` entry returns.
   static antEnvMsg* Receive(ANTENVMSG msg) { return static_cast<antEnvMsg*>(msg); }
 
   const antOperation operation;
@@ -90,7 +90,7 @@ class antEnvMsg {
 
 class antEnvCreateSharedBufferMsg : public antEnvMsg {
  public:
-  /// @param bytes rounded up to pages of 4096, as on a robot with memory protection
+  /// @param bytes the size, which is rounded up to pages of 4096, as on a robot with memory protection
   explicit antEnvCreateSharedBufferMsg(uint32 bytes)
       : antEnvMsg(antOperation_CreateSharedBuffer), size(bytes), error(ANT_FAIL) {}
 
@@ -99,7 +99,7 @@ class antEnvCreateSharedBufferMsg : public antEnvMsg {
   antSharedBuffer buffer;  ///< in the answer
 };
 
-/// Refused while a send or receive uses the buffer.
+/// Frees a shared buffer. The IPStack refuses this while a send or receive uses the buffer.
 class antEnvDestroySharedBufferMsg : public antEnvMsg {
  public:
   explicit antEnvDestroySharedBufferMsg(const antSharedBuffer& shared_buffer)
@@ -109,13 +109,13 @@ class antEnvDestroySharedBufferMsg : public antEnvMsg {
   antError error;
 };
 
-/// An endpoint serves a single connection.
+/// Creates an endpoint, which serves a single connection.
 class antEnvCreateEndpointMsg : public antEnvMsg {
  public:
   /// @param endpoint_type see EndpointTypes.h
   /// @param pool_size bytes that the stack may hold for this endpoint: slightly more than the largest packet sent, 10
   ///   KB for 8 KB (OPEN-R SDK Internet Protocol Version4, page 50). On Linux it is the size of the socket's send
-  ///   buffer, and larger packets are sent in parts. Its effect on the robot is undocumented
+  ///   buffer, and larger packets are sent in parts. What it does on the robot is undocumented
   explicit antEnvCreateEndpointMsg(int32 endpoint_type, int32 pool_size = 0)
       : antEnvMsg(antOperation_CreateEndpoint), protocol(endpoint_type), poolSize(pool_size), error(ANT_FAIL) {}
 

@@ -20,10 +20,10 @@ const OFbkImageBand ofbkimageBAND_Y_HH = 6;
 /// little-endian. Bytes 4-7 and 8-11 count the pixels that colour channels 4-7 and 0-3 found, one for every 16 pixels.
 class OFbkImage {
  public:
-  /// @param info, data of one layer: OFbkImageVectorData::GetInfo() and GetData(), which must outlive this
+  /// @param info, data of one layer: OFbkImageVectorData::GetInfo() and GetData(), which must outlive the object
   OFbkImage(OFbkImageInfo* info, byte* data, OFbkImageBand band);
 
-  /// False if the layer lacks the band. Then no other function may be called.
+  /// False if the layer lacks the band. In that case, no other function may be called.
   bool IsValid() const { return pointer_ != 0; }
 
   /// The first pixel. The simulated camera draws its picture at the first call of this or Pixel(). Until then the image

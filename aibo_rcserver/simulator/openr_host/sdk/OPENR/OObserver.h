@@ -16,7 +16,7 @@ class OObserver {
   OObserver();
   ~OObserver();
 
-  /// Tells all connected subjects.
+  /// Tells all connected subjects that the observer is ready.
   OStatus AssertReady();
   OStatus AssertReady(const SubjectID& subject);
 
@@ -24,7 +24,7 @@ class OObserver {
   OStatus DeassertReady();
   OStatus DeassertReady(const SubjectID& subject);
 
-  /// For REGISTER_ALL_ENTRY.
+  /// Registers the observer for REGISTER_ALL_ENTRY.
   void Register(OID object, int index);
 
  private:

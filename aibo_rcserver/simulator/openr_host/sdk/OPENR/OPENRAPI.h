@@ -15,7 +15,7 @@ namespace OPENR {
 /// @return oNOT_FOUND if the robot has no primitive there
 OStatus OpenPrimitive(const char* locator, OPrimitiveID* primitiveID);
 
-/// @return oINVALID_PRIMITIVE_ID if it is not open
+/// @return oINVALID_PRIMITIVE_ID if the primitive is not open
 OStatus ClosePrimitive(OPrimitiveID primitiveID);
 
 /// Sends a request to an open primitive (OPrimitiveControl.h).
@@ -31,7 +31,7 @@ OStatus ControlPrimitive(OPrimitiveID primitiveID, OPrimitiveRequest request, vo
 /// @return oNO_MEMORY if the count is 0 or larger than any robot's number of effectors
 OStatus NewCommandVectorData(size_t count, MemoryRegionID* memID, OCommandVectorData** vector);
 
-/// The vector's RCRegion must be free.
+/// Frees a command vector, whose RCRegion must be free.
 /// @return oFAIL if no command vector has this number
 OStatus DeleteCommandVectorData(MemoryRegionID memID);
 
@@ -88,7 +88,7 @@ OStatus GetJointValue(OPrimitiveID primitiveID, OJointValue* value);
 /// @return oINVALID_PRIMITIVE_ID if the primitive is not open or no sensor
 OStatus GetSensorValue(OPrimitiveID primitiveID, OSensorValue* value);
 
-/// All motors. The power is off when the robot boots. Without it, gains have no effect.
+/// Switches the power of all motors, which is off when the robot boots. Without power, gains have no effect.
 OStatus SetMotorPower(OPower power);
 
 /// Battery, motor power and power supply.

@@ -9,7 +9,7 @@ class System;
 class SubjectService;
 }  // namespace openr_host
 
-/// The sending end of a connection (Level2 Reference Guide, pages 12 to 23). It sends data to the observers that
+/// The sending end of a connection (Level2 Reference Guide, pages 12 to 23). A subject sends data to the observers that
 /// CONNECT.CFG connects to it. An observer has one of these states:
 ///
 /// - ASSERT-READY: it has asked for data. It gets the next notification at once, and then has no state.
@@ -30,13 +30,13 @@ class OSubject {
   /// Sends the data to every observer, depending on its state. Does nothing without data.
   OStatus NotifyObservers();
 
-  /// Deletes what waits for observers (page 20).
+  /// Deletes the data that waits for observers (page 20).
   OStatus ClearBuffer();
 
   /// Not 0 if an observer has the state ASSERT-READY.
   int IsReady() const;
 
-  /// For REGISTER_ALL_ENTRY.
+  /// Registers the subject for REGISTER_ALL_ENTRY.
   void Register(OID object, int index);
 
  private:

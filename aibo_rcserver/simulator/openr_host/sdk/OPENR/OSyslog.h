@@ -5,7 +5,7 @@
 
 #include <OPENR/OPENR.h>
 
-/// Characters in a print, including the final 0. Longer texts are cut off (OPEN-R SDK Programmer's Guide, 5.1).
+/// The most characters in a print, with the final 0. Longer texts are cut off (OPEN-R SDK Programmer's Guide, 5.1).
 const size_t osyslogMAX_SIZE = 243;
 
 typedef longword OSyslogPriority;

@@ -19,7 +19,7 @@ const slongword oradiansPI = 3141592;
 const slongword oradiansPI_2 = 1570796;
 const slongword oradiansPI_4 = 785398;
 
-/// In millionths, truncated towards 0.
+/// Converts to millionths, truncated towards 0.
 inline slongword micro(double value) {
   return static_cast<slongword>(value * 1e6);
 }
@@ -32,7 +32,7 @@ inline double degrees(double rad) {
   return rad * (180.0 / 3.14159265358979323846);
 }
 
-/// From degrees to microradians, the unit of joints.
+/// Converts from degrees to microradians, the unit of joints.
 inline slongword oradians(double deg) {
   return micro(radians(deg));
 }

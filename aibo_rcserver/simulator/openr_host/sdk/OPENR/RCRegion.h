@@ -4,12 +4,12 @@
 
 #include <OPENR/OPENR.h>
 
-/// Memory that counts its references, so that several objects can read it without copying. It begins with its creator's
-/// reference, and is deleted with the last one. When NumberOfReference() is 1, all observers are done, and the creator
-/// may fill it again.
+/// Memory that counts its references, so that several objects can read it without copying. A region begins with its
+/// creator's reference, and is deleted with the last one. When NumberOfReference() is 1, all observers are done, and
+/// the creator may fill it again.
 class RCRegion {
  public:
-  /// All zero, aligned for any type.
+  /// Makes a region of zeros, aligned for any type.
   explicit RCRegion(size_t size);
 
   /// Refers to memory that must outlive the region.
@@ -19,7 +19,7 @@ class RCRegion {
   /// Call this to keep a region longer than the event that delivered it.
   void AddReference();
 
-  /// The last one deletes the region.
+  /// Removes a reference. The last call deletes the region.
   void RemoveReference();
 
   int NumberOfReference() const { return references_; }

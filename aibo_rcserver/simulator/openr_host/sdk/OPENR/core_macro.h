@@ -45,7 +45,7 @@
 /// The second step of DoStop.
 #define DEASSERT_READY_TO_ALL_OBSERVER OPENR_FOR_ALL(numOfObserver, observer[i_]->DeassertReady())
 
-/// The step of DoDestroy.
+/// The only step of DoDestroy.
 #define DELETE_ALL_SUBJECT_AND_OBSERVER            \
   OPENR_FOR_ALL(numOfSubject, delete subject[i_]); \
   OPENR_FOR_ALL(numOfObserver, delete observer[i_])
