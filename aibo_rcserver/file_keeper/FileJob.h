@@ -10,13 +10,13 @@
 #include "protocol/stick_pictures.h"
 #include "protocol/text.h"
 
-/// The folder with the motions and pictures. Programs may write to it: Sony's sample ImageCapture does.
+/// The folder with the motions and pictures. Programs may write to this folder, as Sony's sample ImageCapture does.
 const char DATA_FOLDER[] = "OPEN-R/MW/DATA/P";
 
 /// The largest motion or picture, in bytes.
 const size_t FILE_CAPACITY = protocol::version2::MAX_STICK_PICTURE_SIZE;
 
-/// Bytes that pictures leave free: for a motion, RCSERVER.CFG and the log of a crash (EMON.LOG).
+/// How many bytes pictures leave free: for a motion, RCSERVER.CFG and the log of a crash (EMON.LOG).
 const size_t PICTURE_RESERVE = 64 * 1024;
 
 enum FileKind { MOTION_FILE, PICTURE_FILE };
@@ -29,7 +29,7 @@ inline size_t largestFile(FileKind kind) {
 struct FileJob {
   enum Operation { READ, STORE, DELETE, LIST };
 
-  unsigned ticket;  ///< returned with the result; not 0
+  unsigned ticket;  ///< the job's number, not 0, which its result repeats
   Operation operation;
   FileKind kind;
   protocol::FileName name;  ///< empty for LIST, and for STORE of a picture, because FileKeeper chooses its name
@@ -48,7 +48,7 @@ struct FileResult {
     FULL,       ///< STORE of a picture: less than its size plus PICTURE_RESERVE is free
     TOO_MANY,   ///< STORE of a picture: the memory stick already has as many as a list can hold
     NO_NUMBER,  ///< STORE of a picture: a picture already has the highest number
-    FAILED      ///< the memory stick failed; nothing of a STORE is left
+    FAILED      ///< the memory stick failed; a STORE has left nothing
   };
 
   unsigned ticket;  ///< the job's ticket

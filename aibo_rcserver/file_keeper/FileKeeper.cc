@@ -19,7 +19,7 @@ OStatus FileKeeper::DoInit(const OSystemEvent&) {
   return oSUCCESS;
 }
 
-// ReadyResult() asks for the first job.
+// The first job is not asked for here, but in ReadyResult().
 OStatus FileKeeper::DoStart(const OSystemEvent&) {
   ENABLE_ALL_SUBJECT;
   return oSUCCESS;

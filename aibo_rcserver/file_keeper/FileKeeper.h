@@ -12,12 +12,12 @@
 #include "file_keeper/StickFiles.h"
 #include "objects/RegionSender.h"
 
-/// Does one job at a time.
+/// The OPEN-R object that reads and writes files for RCServer, one at a time.
 ///
-/// It is a separate object because the memory stick makes its caller wait, and an object handles one message at a time.
-/// RCServer has a higher scheduling class and interrupts it (FileKeeper.ocf).
+/// FileKeeper is a separate object because the memory stick makes its caller wait, and an object handles one message at
+/// a time. RCServer has a higher scheduling class and interrupts it (FileKeeper.ocf).
 ///
-/// It asks for a job only when RCServer can take the result.
+/// FileKeeper asks for a job only when RCServer can take the result.
 class FileKeeper : public OObject {
  public:
   FileKeeper();

@@ -15,10 +15,10 @@ const int StickFiles::HIGHEST_NUMBER;
 
 namespace {
 
-// A new file gets this name until it is complete. It is neither a motion's nor a picture's.
+// A new file gets this name until it is complete. No motion and no picture can have this name.
 const char TEMPORARY_FILE[] = "UPLOAD.TMP";
 
-// This file measures the free space.
+// A file of this name is written to find out whether there is free space.
 const char RESERVE_FILE[] = "RESERVE.TMP";
 
 const char NUMBERED_NAME[] = "AIBO%04d.JPG";
@@ -77,7 +77,7 @@ int NumberIn(const PictureName& name) {
   return strcmp(again, name) == 0 ? number : 0;
 }
 
-// Some file systems cannot rename a file to a name that already exists.
+// Renames a file. Some file systems cannot rename a file to a name that already exists.
 bool Rename(const char* from, const char* to) {
   if (rename(from, to) == 0) {
     return true;
@@ -193,8 +193,8 @@ bool StickFiles::Find(FileKind kind, const FileName& name, char (&path)[MAX_PATH
   return false;
 }
 
-// readdir() sees at most 682 files in a folder (Programmer's Guide, A.1). There are fewer: MAX_LISTED_FILES pictures
-// and a few motions.
+// readdir() sees at most 682 files in a folder (Programmer's Guide, A.1). The folder has fewer: MAX_LISTED_FILES
+// pictures and a few motions.
 FileResult::Outcome StickFiles::ChooseName(PictureName& name) const {
   FolderReader folder(host_, PICTURE_FILE);
   if (!folder.IsOpen()) {
@@ -228,7 +228,7 @@ bool StickFiles::HasReserve() const {
   return is_free;
 }
 
-// Removes the old file first. On a computer it could be a link to another file, which must not be overwritten.
+// Writes a file, but first removes the old one: on a computer it could be a link to a file that must stay as it is.
 bool StickFiles::Write(const char* path, const unsigned char* bytes, size_t size) const {
   remove(path);
   if (host_.room != NULL && size > *host_.room) {

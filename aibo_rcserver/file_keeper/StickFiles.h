@@ -13,16 +13,16 @@
 /// Reads, stores, deletes and lists motions and pictures, without a look at their content.
 ///
 /// A name cannot lead out of the folder (text.h). Some file systems distinguish upper and lower case, and the memory
-/// stick does not, so a search ignores case. A file is written under another name first, so that it is always
-/// complete under its own.
+/// stick does not, so a search ignores case. A file is first written under another name, so that a file with its own
+/// name is always complete.
 ///
-/// Each call can take some tenths of a second for a large file.
+/// If a file is large, a call can take some tenths of a second.
 class StickFiles {
  public:
   /// The highest number in a picture's name: AIBO9999.JPG.
   static const int HIGHEST_NUMBER = 9999;
 
-  /// @param host gives the folder of the memory stick; must outlive this
+  /// @param host the host, which gives the folder of the memory stick; must outlive the object
   explicit StickFiles(const HostSettings& host) : host_(host) {}
 
   /// Carries out a job.
@@ -30,18 +30,18 @@ class StickFiles {
   void CarryOut(const FileJob& job, FileResult* result) const;
 
   /// @param[out] bytes room for capacity bytes
-  /// @param[out] size set if DONE
+  /// @param[out] size set if the result is DONE
   FileResult::Outcome Read(FileKind kind, const protocol::FileName& name, unsigned char* bytes, size_t capacity,
                            size_t* size) const;
 
   /// Stores a motion, replacing one of the same name.
-  /// @return DONE or FAILED, for instance if the stick is full; then nothing of the motion is left
+  /// @return DONE or FAILED, for instance if the stick is full; after FAILED, nothing of the motion is left
   FileResult::Outcome StoreMotion(const protocol::MotionName& name, const unsigned char* bytes, size_t size) const;
 
   /// Stores a picture under a new name: AIBO0001.JPG, or the highest number so far plus one. OPEN-R does not report the
-  /// free space, so this writes PICTURE_RESERVE bytes beside the picture and removes them again.
-  /// @param[out] name set if DONE
-  /// @return DONE, FULL, TOO_MANY, NO_NUMBER or FAILED; unless DONE, nothing of the picture is left
+  /// free space, so this function writes PICTURE_RESERVE bytes beside the picture and removes them again.
+  /// @param[out] name set if the result is DONE
+  /// @return DONE, FULL, TOO_MANY, NO_NUMBER or FAILED; unless it is DONE, nothing of the picture is left
   FileResult::Outcome StorePicture(const unsigned char* bytes, size_t size, protocol::PictureName& name) const;
 
   FileResult::Outcome Delete(FileKind kind, const protocol::FileName& name) const;

@@ -23,7 +23,7 @@ class FileDescriptor {
   FileDescriptor& operator=(const FileDescriptor&) = delete;
   ~FileDescriptor() { close(); }
 
-  /// @return the number that the system knows it by; -1 if nothing is open
+  /// @return the descriptor's number; -1 if nothing is open
   int get() const { return number_; }
   bool valid() const { return number_ >= 0; }
 

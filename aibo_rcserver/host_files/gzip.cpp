@@ -20,7 +20,7 @@ std::string unpacked(std::string bytes, std::size_t longest) {
     }
     return bytes;
   }
-  constexpr int kOnlyGzip = 16;  // added to the size of the window
+  constexpr int kOnlyGzip = 16;  // zlib wants this added to the size of the window
   constexpr std::size_t kPart = 65536;
   z_stream stream{};
   stream.next_in = reinterpret_cast<Bytef*>(bytes.data());

@@ -17,7 +17,7 @@ FileDescriptor openRegularFile(const std::string& path) {
   if (!S_ISREG(properties.st_mode)) {  // merely opening a device can have an effect
     throw Unreadable("it is not a regular file");
   }
-  // If the path has become a pipe meanwhile, opening it must not wait for a writer.
+  // If the path has meanwhile become a pipe, open() must not wait for a writer.
   FileDescriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   if (!file.valid()) {
     throw Unreadable(std::strerror(errno));
@@ -45,7 +45,7 @@ std::vector<unsigned char> readRegularFile(int descriptor, std::size_t longest) 
   if (size > longest) {
     throw Unreadable("it has more than the " + std::to_string(longest) + " bytes allowed");
   }
-  // Files of the kernel have no size. They may block their readers, and end at a different place each time.
+  // Files of the kernel have no size, may block their readers, and end at a different place each time.
   std::vector<unsigned char> bytes(size);
   std::size_t read = 0;
   for (ssize_t count = 1; count > 0 && read < size; read += static_cast<std::size_t>(count > 0 ? count : 0)) {

@@ -20,22 +20,22 @@ class Unreadable : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Opens a file to read it. Never waits.
+/// Opens a file to read it, without ever waiting.
 /// @throw Unreadable the file does not exist, is not a regular file or may not be read
 FileDescriptor openRegularFile(const std::string& path);
 
-/// Opens a file to read it, as fopen(): HostSettings::open_to_read() of a memory stick that is a folder here.
-/// @return null as openRegularFile() throws
+/// Opens a file to read it, as fopen() does. A simulated memory stick uses it (HostSettings::open_to_read()).
+/// @return the file; null where openRegularFile() throws
 std::FILE* openToRead(const char* path);
 
 /// Reads a whole file.
-/// @param descriptor of openRegularFile()
+/// @param descriptor a descriptor from openRegularFile()
 /// @param longest the largest number of bytes that the file may have
-/// @throw Unreadable it is longer, or ends before its size, as files of the kernel do
+/// @throw Unreadable the file is longer, or ends before its size, as files of the kernel do
 std::vector<unsigned char> readRegularFile(int descriptor, std::size_t longest);
 
 /// Opens, reads and closes a file.
-/// @throw Unreadable as above
+/// @throw Unreadable see openRegularFile() and the function above
 std::vector<unsigned char> readRegularFile(const std::string& path, std::size_t longest);
 
 }  // namespace host_files

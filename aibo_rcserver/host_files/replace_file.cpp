@@ -26,7 +26,7 @@ const std::string kPartPrefix = ".aibo_part.";
   throw Unwritable(std::strerror(errno));
 }
 
-/// Signals that come meanwhile take effect at the end.
+/// Holds back signals to this thread while the object lives.
 class HeldSignals {
  public:
   HeldSignals() {
@@ -52,7 +52,7 @@ void write(int file, const std::string& content) {
   }
 }
 
-/// @return false if the lock is another program's; true also where there are no locks
+/// @return false if another program holds the lock; true also where there are no locks
 bool lock(int file) {
   return ::flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
 }
@@ -70,7 +70,7 @@ void removeLeftovers(DIR* folder) {
   }
 }
 
-/// A new file. It is removed unless it gets its name.
+/// A new file, which is removed unless it gets its final name.
 class Part {
  public:
   Part(int folder, mode_t mode) : folder_(folder), file_(-1) {
@@ -80,7 +80,7 @@ class Part {
       if (file_.get() < 0 || ::fstat(file_.get(), &properties_) != 0) {
         fail();
       }
-    } while (!lock(file_.get()) || isGone());  // another program has just taken it for a leftover
+    } while (!lock(file_.get()) || isGone());  // another program has just taken the file for a leftover
   }
   ~Part() {
     if (!name_.empty()) {
@@ -125,9 +125,9 @@ bool isStandardOutput(const struct stat& properties) {
          output.st_ino == properties.st_ino;
 }
 
-/// Where a link leads, even if nothing is there.
+/// The path to which links lead, even if nothing is there.
 fs::path followed(fs::path path) {
-  constexpr int kMostLinks = 40;  // as in the kernel
+  constexpr int kMostLinks = 40;  // the same limit as in the kernel
   std::error_code error;
   for (int i = 0; i < kMostLinks && fs::is_symlink(path, error); ++i) {
     path = path.parent_path() / fs::read_symlink(path, error);
@@ -174,12 +174,12 @@ void replaceFile(int folder, const std::string& name, const std::string& content
   if (is_kept && ::faccessat(folder, name.c_str(), W_OK, AT_EACCESS) != 0) {
     fail();
   }
-  const std::unique_ptr<DIR, int (*)(DIR*)> readable(  // null if it may not be read
+  const std::unique_ptr<DIR, int (*)(DIR*)> readable(  // null if the folder may not be read
       ::fdopendir(::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC)), ::closedir);
   if (readable) {
     removeLeftovers(readable.get());
   }
-  Part part(folder, is_kept ? 0600 : 0666);  // nobody else reads it before it has the old mode
+  Part part(folder, is_kept ? 0600 : 0666);  // nobody else may read the file before it has the old mode
   if (is_kept) {
     part.setMode(old.st_mode);
   }

@@ -15,7 +15,7 @@ PART_PREFIX = '.aibo_part.'
 
 
 def replace_file(path, content, mode=None):
-    """Writes bytes to a file, which is whole or as it was. Raises OSError if it cannot be written.
+    """Writes bytes to a file. If this fails, the file stays as it was, and OSError is raised.
 
     path -- a symbolic link is followed and stays; what is not a regular file, such as a pipe, is opened and written,
             and so is the standard output under any name

@@ -48,7 +48,7 @@ void read(const std::string& bytes, const std::string& file, mtn::Motion& motion
   }
 }
 
-// What a robot does differently may be intended, so it does not stop anything.
+// Prints what a robot does differently. This may be intended, so nothing is stopped.
 void warnOfChanges(const mtn::Motion& motion) {
   const robot_model::RobotModel* robot = motion_tool::robotOf(motion);
   const std::string remark = robot == nullptr ? "neither an ERS-7 nor an ERS-210 has any of its joints"

@@ -44,7 +44,7 @@ std::size_t decode32(const std::string& bytes, std::size_t offset) {
   return value;
 }
 
-// Of all files together. Sony's memory sticks have 16 MB.
+// The most bytes of all files together. Sony's memory sticks have 16 MB.
 constexpr std::size_t kLongestContents = 64U << 20U;  // bytes
 
 ArchivedFile readEntry(const std::string& bytes, std::size_t number) {
@@ -61,7 +61,7 @@ ArchivedFile readEntry(const std::string& bytes, std::size_t number) {
 }
 
 void unpackContents(std::vector<ArchivedFile>& files) {
-  std::size_t size = 0;  // a small archive could fill any disk
+  std::size_t size = 0;  // limited, because a small archive could fill any disk
   for (ArchivedFile& file : files) {
     try {
       file.content = host_files::unpacked(std::move(file.content), kLongestContents);
@@ -102,7 +102,7 @@ std::vector<ArchivedFile> readArchive(const std::string& bytes) {
   for (std::size_t i = 0; i < count; ++i) {
     files.push_back(readEntry(bytes, i));
     size += files.back().content.size();
-    if (size > bytes.size()) {  // when unpacked, it could fill any disk
+    if (size > bytes.size()) {  // when unpacked, the file could fill any disk
       throw std::runtime_error("the files of the archive overlap: together they are larger than the archive");
     }
   }
@@ -115,7 +115,7 @@ std::string fileNameOf(const ArchivedFile& file) {
   std::replace_if(
       name.begin(), name.end(),
       [](unsigned char c) { return c > '~' || (std::isalnum(c) == 0 && c != '-' && c != '_'); }, '_');
-  if (name.front() == '-') {  // most programs would take it for an option
+  if (name.front() == '-') {  // most programs would take the name for an option
     name.front() = '_';
   }
   const std::string begin = file.content.substr(0, 4);

@@ -9,7 +9,7 @@
 namespace motion_tool {
 
 struct ArchivedFile {
-  std::string name;  ///< as in the archive; any bytes
+  std::string name;  ///< the name in the archive; any bytes
   std::string content;
 };
 
@@ -24,21 +24,21 @@ bool isArchive(const std::string& bytes);
 ///                uint32 size of the content, uint32 unused
 ///     contents
 ///
-/// The type is no promise: placeholders of eight or no bytes have the type of a motion.
+/// The type proves nothing: placeholders of eight or no bytes have the type of a motion.
 ///
 /// @throw std::runtime_error the bytes are not an archive; it is cut off or has overlapping files; a file of it cannot
 ///   be unpacked; its files would have more than 64 MiB in all
 std::vector<ArchivedFile> readArchive(const std::string& bytes);
 
-/// A safe file name: letters, digits, `-` and `_` stay, everything else becomes `_`; then `.mtn` for a motion, `.wav`
-/// for a sound, or `.bin`, by the beginning of the content. It neither leads to another folder nor begins with a dot or
-/// `-`. Two files of an archive may get the same name.
+/// A safe file name: letters, digits, `-` and `_` stay, everything else becomes `_`; then comes `.mtn` for a motion,
+/// `.wav` for a sound, or `.bin`, by the beginning of the content. The name neither leads to another folder nor begins
+/// with a dot or `-`. Two files of an archive may get the same name.
 std::string fileNameOf(const ArchivedFile& file);
 
 /// Writes all files to a folder, and makes the folder if necessary.
 /// @param overwrite replace existing files, including links
-/// @throw std::runtime_error nothing was written, because a file already exists or two files would get the same name;
-///   or a file cannot be written
+/// @throw std::runtime_error a file cannot be written; or a file already exists or two files would get the same name,
+///   and nothing was written
 void unpack(const std::vector<ArchivedFile>& files, const std::string& folder, bool overwrite);
 
 }  // namespace motion_tool

@@ -13,7 +13,7 @@ namespace motion_tool {
 
 struct KeyFrame {
   int milliseconds = 0;        ///< from the beginning of the motion
-  std::vector<int> positions;  ///< all joints, in microradians
+  std::vector<int> positions;  ///< the positions of all joints, in microradians
 };
 
 /// The content of a motion file.
@@ -38,19 +38,19 @@ struct KeyFrameMotion {
 /// A `#` begins a comment. Joints and degrees may continue on the lines below their `at`. The first key frame names all
 /// joints of the motion. The ears left_ear and right_ear have states instead of degrees: whole numbers such as 0 and 1.
 /// @param text the bytes of the file, as any editor writes them (protocol::textInFile())
-/// @throw std::runtime_error lists all mistakes, one "line 3: ..." per line
+/// @throw std::runtime_error the text has mistakes; the message lists all of them, one "line 3: ..." per line
 KeyFrameMotion parseTextForm(const std::string& text);
 
 /// Prints a motion in the text form. encodeMtn() makes the same key frames from it. Every key frame names all joints; a
-/// joint that the robot lacks is named by its locator. The robot is that of robotOf(), or else the file's design.
+/// joint that the robot lacks is named by its locator. The robot is robotOf()'s or, if that is null, the design's.
 std::string printTextForm(const mtn::Motion& motion);
 
 /// The bytes of a motion file (layout.h).
-/// @throw std::runtime_error mtn::Motion would refuse it, a text is too long, or the times are not ascending multiples
-///   of a frame
+/// @throw std::runtime_error mtn::Motion would refuse the motion, a text is too long, or the times are not ascending
+///   multiples of a frame
 std::string encodeMtn(const KeyFrameMotion& motion);
 
-/// How the robot's playback would differ from the motion at full joint speed, or why the robot does not play it
+/// How the robot's playback at full joint speed would differ from the motion, or why the robot does not play it
 /// (mtn::FittedMotion).
 /// @return one line; empty if there is no difference
 std::string describeChanges(const mtn::Motion& motion, const robot_model::RobotModel& robot);
@@ -59,8 +59,8 @@ std::string describeChanges(const mtn::Motion& motion, const robot_model::RobotM
 /// not printable ASCII. Motion files come from anywhere.
 std::string forTerminal(std::string line);
 
-/// The robot that has the most of the motion's joints and ears; null if no robot has any. Only if both have as many,
-/// the design tells: Sony's motions for the ERS-7 have "DRX-1000", "DRX-1000_Head" and more.
+/// The robot that has the most of the motion's joints and ears; null if no robot has any. If both have the same number,
+/// the design decides: Sony's motions for the ERS-7 have "DRX-1000", "DRX-1000_Head" and more.
 const robot_model::RobotModel* robotOf(const mtn::Motion& motion);
 
 }  // namespace motion_tool

@@ -19,7 +19,7 @@ constexpr double kMicroradiansPerDegree = 1e6 * 3.14159265358979323846 / 180;
 // Each robot and its name in Sony's motion files.
 const std::pair<const char*, const char*> kRobots[] = {{"ERS-7", "DRX-1000"}, {"ERS-210", "DRX-910"}};
 
-// Returns an unknown name unchanged.
+// The design of a robot with this name. An unknown name is returned unchanged.
 std::string designOf(const std::string& robot) {
   for (const auto& [name, design] : kRobots) {
     if (robot == name) {
@@ -29,7 +29,7 @@ std::string designOf(const std::string& robot) {
   return robot;
 }
 
-// Returns an unknown design unchanged.
+// The name of the robot of this design. An unknown design is returned unchanged.
 std::string nameOf(const std::string& design) {
   for (const auto& [name, known_design] : kRobots) {
     if (design == known_design) {
@@ -39,7 +39,7 @@ std::string nameOf(const std::string& design) {
   return design;
 }
 
-// Null if there is no such robot.
+// The robot of this design; null if there is none.
 const RobotModel* modelOf(const std::string& design) {
   return robot_model::findRobotModel(nameOf(design).c_str());
 }
@@ -65,7 +65,7 @@ std::string restOf(std::istream& line) {
   return text;
 }
 
-// Continues after a mistake, so that one run reports all of them.
+// Parses a text. It goes on after a mistake, so that one run reports all mistakes.
 class Parser {
  public:
   KeyFrameMotion parse(std::istream& text) {
@@ -83,7 +83,7 @@ class Parser {
   }
 
  private:
-  // Calls the function and records the mistake that it throws.
+  // Calls a function, and records the mistake if it throws one.
   template <typename Function>
   void report(const Function& function) {
     try {
@@ -217,7 +217,7 @@ class Parser {
   std::string problems_;
 };
 
-// Prints enough digits to restore the same microradians, without trailing zeros.
+// Prints enough digits to restore the same number of microradians, without trailing zeros.
 std::string degreesOf(int microradians) {
   char text[32];
   std::snprintf(text, sizeof(text), "%.5f", microradians / kMicroradiansPerDegree);
@@ -229,7 +229,7 @@ std::string degreesOf(int microradians) {
   return digits == "-0" ? "0" : digits;
 }
 
-// A '#' would begin a comment.
+// Makes the text safe, and replaces each '#', which would begin a comment.
 std::string quoted(const std::string& text) {
   std::string result = forTerminal(text);
   std::replace(result.begin(), result.end(), '#', '?');
@@ -248,7 +248,7 @@ std::string jointName(const RobotModel* robot, const char* locator) {
   return index == robot_model::NO_JOINT ? locator : robot->joints[index].name;
 }
 
-// An ear's value is a state, not an angle.
+// The value of a joint or ear. An ear's value is a state, not an angle.
 std::string valueOf(const RobotModel* robot, const char* locator, int position) {
   return isEar(robot, locator) ? std::to_string(position) : degreesOf(position);
 }

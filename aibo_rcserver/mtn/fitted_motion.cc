@@ -176,7 +176,7 @@ void FittedMotion::measureClips() {
 }
 
 // Both ways are straight. So while the leader passes a row and the gaps beside it, the follower is farthest below the
-// row's limit at the beginning or the end.
+// row's limit when the leader enters or leaves them.
 void FittedMotion::measureOnTheWay(const int* from, const int* to, int begin, int duration) {
   for (int i = 0; i < robot_->number_of_couplings; ++i) {
     const Coupling& coupling = robot_->couplings[i];

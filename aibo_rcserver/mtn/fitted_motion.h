@@ -18,14 +18,14 @@ namespace mtn {
 /// (robot_model::clampPosture()). Joints outside the motion are assumed to be out of the way. No distance is too far:
 /// motions of Sony's own software for the ERS-7 are up to 20 degrees off.
 ///
-/// On the straight way between two key frames, a joint can hit another one although it does not at the ends. The key
-/// frames cannot avoid that, but JointPlanner does. describe() counts it as clipped.
+/// On the straight way between two key frames, a joint can hit another one even if it does not do so at the ends. The
+/// key frames cannot avoid this, but JointPlanner does. describe() counts the joint as clipped.
 ///
 /// The fitted key frames are computed on each call, because this object has no memory of its own.
 class FittedMotion {
  public:
   /// 0.001 degree, in microradians. A position that exceeds a limit by no more than this counts as at the limit. The
-  /// rounding in Sony's motions is about a tenth of this.
+  /// rounding in Sony's motions is about a tenth of this value.
   static const int TOLERANCE = 17;
 
   static const size_t MAX_PROBLEM_SIZE = 192;
@@ -34,12 +34,12 @@ class FittedMotion {
 
   FittedMotion();
 
-  /// @param motion, robot must outlive this object, or stay until the next fit()
-  /// @param leave_out ignore joints that the robot lacks; at least one joint must be left
-  /// @return false if the robot cannot play the motion; then problem() says why, and there are no joints and key frames
+  /// @param motion, robot must outlive the object, or stay until the next fit()
+  /// @param leave_out true: ignore joints that the robot lacks; at least one joint must be left
+  /// @return false if the robot cannot play the motion; problem() then says why, and there are no joints and key frames
   bool fit(const Motion& motion, const robot_model::RobotModel& robot, bool leave_out);
 
-  /// Why the last motion was refused, in words that follow its name: "NOD.MTN moves the joint ..."; empty if it was
+  /// Why the last motion was refused, in words to put after its name: "NOD.MTN moves the joint ..."; empty if it was
   /// accepted.
   const char* problem() const { return problem_; }
 
@@ -63,10 +63,10 @@ class FittedMotion {
   /// @param[out] positions has room for numberOfJoints() positions
   void posture(int key_frame, int* positions) const;
 
-  /// True if an ear's value changes at this key frame. An ear has two states, and its magnet must not hold one of them,
-  /// so the ear flicks whenever the value changes.
+  /// True if an ear's value changes at this key frame. An ear has two states, but its magnet must not hold it in one of
+  /// them, so it only flicks whenever the value changes.
   /// @param key_frame 1..numberOfKeyFrames() - 1
-  /// @param ear index in the robot's table
+  /// @param ear the ear's index in the robot's table
   bool flicks(int key_frame, int ear) const;
 
   /// The time from the previous key frame to this one, in milliseconds: the file's, or what the slowest joint needs.
@@ -87,8 +87,8 @@ class FittedMotion {
   /// The largest distance by which a joint was clipped.
   struct Clip {
     int joint;     ///< index in the robot's table
-    int distance;  ///< in microradians; 0 if it is not clipped
-    int time;      ///< in milliseconds from the beginning
+    int distance;  ///< in microradians; 0 if the joint is not clipped
+    int time;      ///< in milliseconds from the beginning of the motion
   };
 
   static bool isFarther(const Clip& a, const Clip& b);

@@ -26,11 +26,11 @@ const unsigned MAJOR_VERSION = 1;
 const unsigned MINOR_VERSION = 2;
 
 const size_t SECTION_HEADER_SIZE = 8;  ///< number and size
-const size_t FIRST_SECTION_SIZE = 24;  ///< section 0; it has no texts
+const size_t FIRST_SECTION_SIZE = 24;  ///< the size of section 0, which has no texts
 const size_t VALUE_SIZE = 4;           ///< each number in a key frame
 const int VALUES_OF_BODY = 3;          ///< roll, pitch, yaw
 
-/// The largest motion file, in bytes. With its name it fits into a request of version 2, 64 KiB.
+/// The largest motion file, in bytes. Together with its name, it fits into a request of version 2, 64 KiB.
 const size_t MAX_FILE_SIZE = 64000;
 
 /// The most joints in a motion. An ERS-210 has 20 with its ears.
@@ -48,7 +48,7 @@ const int MAX_FRAME_MILLISECONDS = 1000;
 /// The longest time between key frames, in milliseconds. A longer time is a mistake.
 const int MAX_STEP_MILLISECONDS = 60000;
 
-/// In microradians: positions are within one turn to either side.
+/// The greatest position, in microradians: one turn to either side.
 const int MAX_POSITION = 6283185;
 
 }  // namespace mtn

@@ -22,7 +22,7 @@ int decodeSigned32(const unsigned char* in) {
   return static_cast<int>(decode32(in));
 }
 
-// Locators go into messages and to the robot, so only visible characters are allowed.
+// True if the text has only visible characters. This is required because locators go into messages and to the robot.
 bool isPlain(const char* text) {
   for (; *text != '\0'; ++text) {
     if (*text <= ' ' || *text > '~') {
@@ -241,7 +241,7 @@ bool Motion::checkKeyFrame(int key_frame) {
   return true;
 }
 
-// Some programs end a text with a zero byte. It is not part of the text.
+// Takes a text. Some programs end a text with a zero byte, which is not part of the text.
 bool Motion::takeText(Section* section, const char* what, size_t max_size, char* text) {
   if (!section->has(1)) {
     return fail("section %u ends before %s", section->number, what);
@@ -267,7 +267,7 @@ bool Motion::fail(const char* format, ...) {
   return false;
 }
 
-// The size includes the number of interpolated frames, which the first key frame lacks.
+// The size of a key frame with the number of interpolated frames before it, which the first key frame lacks.
 size_t Motion::keyFrameSize() const {
   return (static_cast<size_t>(VALUES_OF_BODY + number_of_joints_) + 1) * VALUE_SIZE;
 }

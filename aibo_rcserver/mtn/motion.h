@@ -19,11 +19,11 @@ class Motion {
 
   Motion();
 
-  /// @param bytes must outlive this object, or stay until the next read()
-  /// @return false if it is not a motion file; then problem() says why, and the motion is empty
+  /// @param bytes must outlive the object, or stay until the next read()
+  /// @return false if the bytes are not a motion file; in that case problem() says why, and the motion is empty
   bool read(const unsigned char* bytes, size_t size);
 
-  /// Why the last file was refused, in a few words: "section 2 is cut off". Empty if it was accepted.
+  /// Why the last file was refused, in a few words: "section 2 is cut off". The text is empty if the file was accepted.
   const char* problem() const { return problem_; }
 
   /// The file's texts. Their character set is unknown. A text may be empty.

@@ -8,17 +8,17 @@
 
 #include "protocol/version2.h"
 
-/// The defaults are the robot's.
+/// What a simulator can change. The defaults are those of the robot.
 struct HostSettings {
   HostSettings();
 
   int newest_version;        ///< newest protocol version that clients may ask for: 1 or 2
   const char* memory_stick;  ///< the folder with the memory stick's content; has to outlive the server
-  /// Bytes that still fit onto a simulated stick; has to outlive the server. NULL on the robot, whose file system
-  /// knows.
+  /// Bytes that still fit onto a simulated stick; has to outlive the server. It is NULL on the robot, whose own file
+  /// system knows.
   const size_t* room;
-  /// Opens a file on the stick for reading in binary mode; NULL if that is not possible. A simulator must not wait for
-  /// what is no file.
+  /// Opens a file on the stick for reading in binary mode; returns NULL if that is not possible. A simulator must not
+  /// wait, as it would for a pipe.
   FILE* (*open_to_read)(const char* path);
 };
 
@@ -27,12 +27,12 @@ void setHostSettings(const HostSettings& settings);
 
 const HostSettings& hostSettings();
 
-/// Longest path from pathOnMemoryStick(), including the final 0. OPEN-R's own paths are far shorter.
+/// The longest path from pathOnMemoryStick(), with the final 0. OPEN-R's own paths are far shorter.
 const size_t MAX_PATH_SIZE = 1024;
 
-/// @param name relative to the stick: "OPEN-R/MW/CONF/RCSERVER.CFG"
-/// @param[out] path unchanged if it does not fit
-/// @return false if it does not fit
+/// @param name the name relative to the stick: "OPEN-R/MW/CONF/RCSERVER.CFG"
+/// @param[out] path unchanged if the path does not fit
+/// @return false if the path does not fit
 bool pathOnMemoryStick(const HostSettings& host, const char* name, char (&path)[MAX_PATH_SIZE]);
 
 #endif  // AIBO_RCSERVER_OBJECTS_HOST_SETTINGS_H

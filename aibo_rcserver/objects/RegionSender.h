@@ -10,8 +10,8 @@
 /// Sends a Content, a plain struct without pointers, to one other object through a gate, in shared memory. The Content
 /// belongs to the receiver until the receiver is ready for the next one. Nothing is queued.
 ///
-/// @tparam REGIONS regions of memory that take turns: with 1, the next Content can be written when the receiver is
-///   ready for it; with 2, while the receiver still works on the last one
+/// @tparam REGIONS the number of memory regions, which take turns. With 1, the next Content can be written when the
+///   receiver is ready for it; with 2, it can be written while the receiver still works on the last one
 template <typename Content, int REGIONS = 1>
 class RegionSender {
  public:
@@ -21,8 +21,8 @@ class RegionSender {
     }
   }
 
-  /// Call in DoInit, after NEW_ALL_SUBJECT_AND_OBSERVER.
-  /// @param subject a gate with one observer; must outlive this
+  /// Call this in DoInit, after NEW_ALL_SUBJECT_AND_OBSERVER.
+  /// @param subject a gate with one observer; must outlive the object
   /// @return false if the memory cannot be allocated
   bool Create(OSubject* subject) {
     subject_ = subject;
@@ -49,21 +49,21 @@ class RegionSender {
   /// True if Send() may be called.
   bool IsFree() const { return subject_->IsReady() && Memory() != NULL; }
 
-  /// Where to write the next Content: the same region until Send(), even if the receiver returns another one.
+  /// The place for the next Content. It stays the same until Send(), even if the receiver returns another region.
   /// @return NULL if the receiver still has the region
   Content* Memory() const {
     RCRegion* const region = regions_[next_];
     return region->NumberOfReference() > 1 ? NULL : static_cast<Content*>(static_cast<void*>(region->Base()));
   }
 
-  /// A new number for a job, which its result repeats; not 0.
+  /// A new number for a job, not 0, which the job's result repeats.
   unsigned NewTicket() {
     ++last_ticket_;
     last_ticket_ += last_ticket_ == 0 ? 1 : 0;
     return last_ticket_;
   }
 
-  /// Call only if IsFree().
+  /// Sends the Content. Call this only if IsFree().
   void Send() {
     subject_->SetData(regions_[next_]);
     subject_->NotifyObservers();
@@ -82,13 +82,13 @@ class RegionSender {
   unsigned last_ticket_;
 };
 
-/// A Content that has come from another object, kept as long as it is needed. Until then, its sender sends no other.
+/// A Content that has come from another object, kept as long as it is needed. The sender sends no other until then.
 template <typename Content>
 class HeldRegion {
  public:
   HeldRegion() : region_(NULL), observer_(NULL) {}
 
-  /// @param observer through which it has come; must outlive this
+  /// @param observer the observer through which the Content has come; must outlive the object
   void Hold(const ONotifyEvent& event, OObserver* observer) {
     region_ = event.RCData(0);
     region_->AddReference();
@@ -98,15 +98,15 @@ class HeldRegion {
   bool IsThere() const { return region_ != NULL; }
   const Content& Get() const { return *static_cast<const Content*>(static_cast<const void*>(region_->Base())); }
 
-  /// It is not needed any more, if there is one: the next one may come.
+  /// Gives the Content back, if there is one, so that the next one can come.
   void Release() {
     if (Destroy()) {
       observer_->AssertReady();
     }
   }
 
-  /// The same in DoDestroy, when nothing may come any more.
-  /// @return true if there was one
+  /// Does the same in DoDestroy, when no Content may come any more.
+  /// @return true if there was a Content
   bool Destroy() {
     const bool was_there = IsThere();
     if (was_there) {

@@ -11,7 +11,7 @@
 /// The camera overwrites the first TAG_SIZE bytes of the last row (OPENR/OFbkImage.h) with its counter of all images,
 /// delivered or not, and with results of its colour detection.
 struct CameraImage {
-  /// Pixels that the camera overwrites at the beginning of the last row.
+  /// How many pixels the camera overwrites at the beginning of the last row.
   static const size_t TAG_SIZE = 16;
 
   const unsigned char* y;
@@ -25,8 +25,8 @@ struct CameraImage {
 /// The bands of fine detail for a CameraImage, with its width, height and stride. An ERS-7 splits the luminance of its
 /// sensor, which has twice the width and height of layer H, into Y and these three bands.
 ///
-/// 128 means no detail. With ll from Y and 128 subtracted from lh, hl and hh, one pixel of Y becomes four, each limited
-/// to 0..255 (Sony's sample W3AIBO, JPEGEncoder.cc):
+/// A value of 128 means no detail. With ll from Y and 128 subtracted from lh, hl and hh, one pixel of Y becomes four,
+/// each limited to 0..255 (Sony's sample W3AIBO, JPEGEncoder.cc):
 ///
 ///     ll - lh - hl + hh    ll - lh + hl - hh
 ///     ll + lh - hl - hh    ll + lh + hl + hh

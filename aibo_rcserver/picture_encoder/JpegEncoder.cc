@@ -8,7 +8,7 @@ extern "C" {
 
 namespace {
 
-const size_t MACROBLOCK = 16;  // pixels, in both directions, at 4:2:0
+const size_t MACROBLOCK = 16;  // pixels in each direction, at 4:2:0
 const int NO_QUALITY = -1;
 
 // Up to this quality, libjpeg's fast transform (JDCT_IFAST) costs less than 0.1 dB against its accurate one, and saves
@@ -19,8 +19,8 @@ size_t RoundUp(size_t size) {
   return (size + MACROBLOCK - 1) / MACROBLOCK * MACROBLOCK;
 }
 
-// Each sample of the half row is the mean of four. The robot's old compiler makes faster code for pointers than for
-// indices.
+// Each sample of the half row is the mean of four. The code uses pointers, because the robot's old compiler makes
+// faster code for them than for indices.
 void HalveRows(const unsigned char* upper, const unsigned char* lower, size_t half_width, unsigned char* half) {
   unsigned char* const end = half + half_width;
   for (; half != end; ++half) {
@@ -165,7 +165,7 @@ void JpegEncoder::FillStrip(const CameraImage& image, size_t top, JSAMPROW y_row
   Halve(chroma_rows, image.width, cr_);
 }
 
-// In all bands, the row above replaces the last row's tag, because the band with the tag is not known.
+// In all bands, the row above replaces the last row's tag, because we do not know which band has the tag.
 void JpegEncoder::FillDoubleStrip(const CameraImage& image, const DetailBands& detail, size_t top,
                                   JSAMPROW y_rows[STRIP_HEIGHT]) {
   const size_t last = image.height - 1;
@@ -199,7 +199,7 @@ void JpegEncoder::FindRows(const CameraImage& image, const unsigned char* plane,
     const size_t source_row = top + row < last ? top + row : last;
     const unsigned char* source = plane + source_row * image.stride;
     if (source_row < last && has_whole_units) {
-      rows[row] = const_cast<JSAMPROW>(source);  // libjpeg's API lacks const, but it does not write there
+      rows[row] = const_cast<JSAMPROW>(source);  // libjpeg does not write to the row, although its API lacks const
     } else {
       CopyRow(source, source_row == last ? source - image.stride : source, image.width, RoundUp(image.width),
               copies[row]);
@@ -216,7 +216,7 @@ void JpegEncoder::CopyRow(const unsigned char* source, const unsigned char* sour
   Pad(copy, width, padded_width);
 }
 
-// Halves 16 rows and fills the last macroblock. In an odd width, the last pixel counts twice.
+// Halves 16 rows and fills the last macroblock. If the width is odd, the last pixel counts twice.
 void JpegEncoder::Halve(const JSAMPROW rows[STRIP_HEIGHT], size_t width, HalfStrip half) {
   const size_t half_width = (width + 1) / 2;
   for (size_t row = 0; row < STRIP_HEIGHT / 2; ++row) {

@@ -17,26 +17,26 @@ extern "C" {
 ///
 /// The planes go into libjpeg without conversion to RGB, and without a copy if 16 divides the width. In a copy of the
 /// last row, the row above replaces the camera's tag. libjpeg allocates and frees its memory for each picture. An error
-/// in libjpeg makes Encode() fail and does not end the process. Not thread-safe.
+/// in libjpeg makes Encode() fail and does not end the process. The class is not thread-safe.
 class JpegEncoder {
  public:
-  /// In pixels: twice the camera's, for double resolution.
+  /// The largest picture in pixels: twice the camera's size, for double resolution.
   static const size_t MAX_WIDTH = 416;
   static const size_t MAX_HEIGHT = 320;
 
   JpegEncoder();
   ~JpegEncoder();
 
-  /// Bytes that hold any picture of this size at any quality: three per pixel, with both sides rounded up to 16, and
-  /// 2048 for headers. This is libjpeg-turbo's bound (tjBufSize) for 4:2:0. The report's 64 KB (section 3.3.3) are too
-  /// few: noise at quality 100 takes up to 77 KB.
+  /// A number of bytes that holds any picture of this size at any quality: three per pixel, with both sides rounded up
+  /// to 16, and 2048 for headers. This is libjpeg-turbo's bound (tjBufSize) for 4:2:0. The report's 64 KB (section
+  /// 3.3.3) are too few: noise at quality 100 takes up to 77 KB.
   static size_t WorstCaseSize(size_t width, size_t height);
 
   /// @param quality 0..100
   /// @param[out] jpeg the JPEG file
   /// @param capacity bytes that fit into `jpeg`
   /// @return bytes of the JPEG file; 0 on failure: the image is empty or larger than MAX_WIDTH x MAX_HEIGHT, the buffer
-  ///   is too small, or memory is lacking. LastError() says which
+  ///   is too small, or memory is lacking. LastError() says which of these it is
   size_t Encode(const CameraImage& image, int quality, unsigned char* jpeg, size_t capacity) {
     return EncodeWith(image, NULL, quality, jpeg, capacity);
   }
@@ -52,8 +52,8 @@ class JpegEncoder {
   const char* LastError() const { return errors_.message; }
 
  private:
-  // Receives libjpeg's errors. The first member is libjpeg's own struct, so pointers to both are interchangeable; the
-  // same holds for Destination.
+  // Receives libjpeg's errors. Its first member is libjpeg's own struct, so a pointer to one is a pointer to the other;
+  // the same holds for Destination.
   struct Errors {
     jpeg_error_mgr manager;
     jmp_buf escape;

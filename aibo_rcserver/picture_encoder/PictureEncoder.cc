@@ -36,7 +36,7 @@ OStatus PictureEncoder::DoInit(const OSystemEvent&) {
   return oSUCCESS;
 }
 
-// ReadyPicture() asks for the first job.
+// The first job is not asked for here, but in ReadyPicture().
 OStatus PictureEncoder::DoStart(const OSystemEvent&) {
   ENABLE_ALL_SUBJECT;
   return oSUCCESS;

@@ -13,10 +13,10 @@
 
 /// The OPEN-R object that makes JPEG files for RCServer, one at a time.
 ///
-/// It is a separate object because encoding takes longer than a frame of the joints, and an object handles one message
-/// at a time. RCServer has a higher scheduling class and interrupts it (PictureEncoder.ocf).
+/// PictureEncoder is a separate object because encoding takes longer than a frame of the joints, and an object handles
+/// one message at a time. RCServer has a higher scheduling class and interrupts it (PictureEncoder.ocf).
 ///
-/// It asks for a job only when RCServer can take the picture.
+/// PictureEncoder asks for a job only when RCServer can take the picture.
 class PictureEncoder : public OObject {
  public:
   PictureEncoder() {}

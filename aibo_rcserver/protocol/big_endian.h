@@ -5,7 +5,7 @@
 
 namespace protocol {
 
-/// C++98 has no <stdint.h>, so the wire's 32-bit integers are `int` and `unsigned`.
+/// C++98 has no <stdint.h>, so `int` and `unsigned` hold the 32-bit integers of the protocol.
 typedef char IntMustHave32Bits[sizeof(int) == 4 ? 1 : -1];
 
 inline void encodeBigEndian16(unsigned value, unsigned char* out) {

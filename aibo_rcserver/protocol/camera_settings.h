@@ -26,7 +26,7 @@ const int NUMBER_OF_CAMERA_SETTINGS = 5;
 
 /// All settings, with OPEN-R's values (OPENR/OPrimitiveControl.h).
 struct CameraSettings {
-  /// Index: id - 1. All 0: unknown.
+  /// The value of each setting, at the index id - 1. If all are 0, the settings are unknown.
   unsigned char values[NUMBER_OF_CAMERA_SETTINGS];
 
   unsigned char of(CameraSetting setting) const { return values[setting - 1]; }
@@ -42,7 +42,7 @@ const char* problemOfCameraValue(int id, int value);
 
 /// Payload of `G` and its reply: uint8 value. An empty request reads the setting.
 struct CameraValue {
-  unsigned char id;  ///< a CameraSetting: the frame's id, not in the payload; set it before decoding
+  unsigned char id;  ///< a CameraSetting. It is the frame's id, not in the payload: set it before decoding
   unsigned char value;
 
   template <typename Fields>
@@ -57,7 +57,7 @@ struct CameraValue {
 /// the lowest bit up, then one bit for each automatic mode. 0 means unknown.
 unsigned short packCameraSettings(const CameraSettings& settings);
 
-/// @return NULL, or what is wrong; the settings are then unchanged
+/// @return NULL, or what is wrong; in that case the settings are unchanged
 const char* unpackCameraSettings(unsigned short packed, CameraSettings* settings);
 
 }  // namespace version2

@@ -9,7 +9,7 @@ namespace {
 const size_t LONGEST_PACKED_RUN = 128;
 const unsigned char NOT_USED = 128;
 
-// How many bytes at the beginning are equal.
+// How many bytes at the beginning are the same.
 size_t runAt(const unsigned char* bytes, size_t size) {
   size_t run = 1;
   while (run < size && run < LONGEST_PACKED_RUN && bytes[run] == bytes[0]) {
@@ -18,7 +18,7 @@ size_t runAt(const unsigned char* bytes, size_t size) {
   return run;
 }
 
-// How many bytes come before the next run worth packing, which has three bytes or more.
+// How many bytes come before the next run that is worth packing, that is, of three bytes or more.
 size_t literalsAt(const unsigned char* bytes, size_t size) {
   size_t count = 1;
   while (count < size && count < LONGEST_PACKED_RUN && runAt(bytes + count, size - count) < 3) {

@@ -3,7 +3,7 @@
 ///
 /// The camera compares each pixel with a table for each channel. It makes a plane with one byte per pixel and one bit
 /// per channel: the bit is set if the channel's table contains the pixel's colour (Level2 Reference Guide, 4.4.1). The
-/// robot sends how many pixels each channel has and where they are, and on demand the plane.
+/// robot sends how many pixels each channel has and where they are, and, if asked for, the plane.
 #ifndef AIBO_RCSERVER_PROTOCOL_COLOR_REQUESTS_H
 #define AIBO_RCSERVER_PROTOCOL_COLOR_REQUESTS_H
 
@@ -38,7 +38,7 @@ struct ColorSettings {
   }
 };
 
-/// A pixel has one bit for each channel.
+/// How many channels there are at most, because a pixel has one bit for each.
 const int MAX_COLOR_CHANNELS = 8;
 
 template <typename Fields>
@@ -48,8 +48,8 @@ void visitChannel(Fields& fields, unsigned char& channel) {
   fields.zeros(3);
 }
 
-/// The table has a segment for every 8 values of Y: segment 0 for 0..7, segment 31 for 248..255 (Sony's program cdt2bmp
-/// in the sample ImageObserver).
+/// How many segments a table has: one for every 8 values of Y: segment 0 for 0..7, segment 31 for 248..255 (Sony's
+/// program cdt2bmp in the sample ImageObserver).
 const int COLOR_SEGMENTS = 32;
 
 /// A range of colours at one brightness, both ends included. An empty segment has 128 in all four (ocdtINIT in
@@ -88,12 +88,12 @@ struct ColorTable {
   }
 };
 
-/// What one channel found, in pixels of the plane from its upper left corner. Without pixels, all other fields are 0.
+/// What one channel found, in pixels from the plane's upper left corner. Without pixels, all other fields are 0.
 struct ColorRegion {
   unsigned char channel;
   unsigned pixels;
   unsigned short x;  ///< mean column of the pixels, in 64ths of a pixel; 0 is the middle of the first column
-  unsigned short y;  ///< mean row, likewise
+  unsigned short y;  ///< mean row of the pixels, in the same unit
   unsigned short left;
   unsigned short top;
   unsigned short width;
@@ -121,13 +121,13 @@ const int COLOR_CENTROID_SCALE = 64;
 struct ColorRegions {
   unsigned image_count;
   unsigned frame_number;
-  unsigned short width;   ///< the plane's, never 0
-  unsigned short height;  ///< the plane's, never 0
+  unsigned short width;   ///< width of the plane, never 0
+  unsigned short height;  ///< height of the plane, never 0
   unsigned char count;    ///< channels with a table, 0..MAX_COLOR_CHANNELS
   bool has_plane;
   ColorRegion regions[MAX_COLOR_CHANNELS];  ///< in ascending order of channels
   const unsigned char* plane;  ///< packed and unchecked (unpackColorPlane()); after decoding, points into the payload
-  size_t plane_size;           ///< bytes; 0 to encode everything but the plane, which the caller appends
+  size_t plane_size;           ///< bytes; 0 encodes everything except the plane, which the caller appends
 
   template <typename Fields>
   void visit(Fields& fields) {
@@ -153,17 +153,17 @@ const size_t MAX_COLOR_REGIONS_SIZE = 16 + MAX_COLOR_CHANNELS * 20;
 /// The largest plane that is sent: an ERS-7's, 104 x 80.
 const size_t MAX_COLOR_PLANE_SIZE = 104 * 80;
 
-/// The largest packed size for so many pixels.
+/// The largest size of a packed plane with this number of pixels.
 inline size_t packedColorPlaneSize(size_t pixels) {
   return pixels + (pixels + 127) / 128;
 }
 
 /// Packs a plane with PackBits: a byte n up to 127 precedes n + 1 literal bytes; a byte n from 129 on precedes one byte
-/// that repeats 257 - n times. 128 is unused.
+/// that repeats 257 - n times. The byte 128 is unused.
 /// @param[out] out room for packedColorPlaneSize(pixels) bytes
 size_t packColorPlane(const unsigned char* plane, size_t pixels, unsigned char* out);
 
-/// @param pixels size of the plane; never exceeded
+/// @param pixels size of the plane; no more are written
 /// @param[out] plane undefined unless the result is NULL
 /// @return NULL, or what is wrong
 const char* unpackColorPlane(const unsigned char* packed, size_t size, size_t pixels, unsigned char* plane);

@@ -4,7 +4,7 @@
 ///     template <typename Fields> void visit(Fields& fields)
 ///
 /// which names its fields in the order of the wire, with the requirements of the layout. encode(), decode() and
-/// encodedSize() all follow from it. C++98, no I/O, no memory of its own.
+/// encodedSize() all follow from it. This file is C++98, does no I/O and allocates no memory.
 #ifndef AIBO_RCSERVER_PROTOCOL_FIELDS_H
 #define AIBO_RCSERVER_PROTOCOL_FIELDS_H
 
@@ -20,14 +20,14 @@ namespace version2 {
 /// Reads a file's name: readMotionName() or readPictureName().
 typedef const char* (*ReadFileName)(const char* text, size_t size, FileName& name);
 
-/// Encodes the fields of a payload. The values must be ones that a Reader accepts. The Reader describes each kind of
-/// field.
+/// Encodes the fields of a payload. The values must be ones that a Reader accepts. The comments of Reader describe each
+/// kind of field.
 class Writer {
  public:
-  /// @param out room for all bytes; NULL: they are only counted
+  /// @param out room for all bytes; NULL to count the bytes only
   explicit Writer(unsigned char* out) : out_(out), size_(0) {}
 
-  /// Bytes written so far.
+  /// The number of bytes so far.
   size_t size() const { return size_; }
 
   void number(char value) { put(&value, 1); }
@@ -93,7 +93,7 @@ class Writer {
 
  private:
   void put(const void* bytes, size_t size) {
-    // Text and content may be empty and have no address, and memcpy does not allow a null pointer.
+    // A text or content may be empty and have no address, but memcpy() forbids a null pointer.
     if (out_ != NULL && size > 0) {
       memcpy(out_ + size_, bytes, size);
     }
@@ -104,7 +104,7 @@ class Writer {
   size_t size_;
 };
 
-/// Decodes the fields of a payload. A wrong size is reported before a wrong value. Missing numbers read as 0.
+/// Decodes the fields of a payload. A wrong size is reported before a wrong value. Missing bytes count as 0.
 class Reader {
  public:
   Reader(const unsigned char* bytes, size_t size)
@@ -114,9 +114,9 @@ class Reader {
         wrong_size_("the payload has a wrong size for this kind of frame"),
         is_short_(false) {}
 
-  /// What is wrong so far, in words that can follow "bad request: "; NULL if nothing is.
+  /// What is wrong so far, in words that can follow "bad request: "; NULL if nothing is wrong.
   const char* problem() const { return is_short_ ? wrong_size_ : problem_; }
-  /// Likewise after the last field: bytes that are left are wrong, too.
+  /// Does the same after the last field, where bytes that are left are wrong, too.
   const char* problemAtEnd() const { return next_ == end_ ? problem() : wrong_size_; }
   size_t left() const { return static_cast<size_t>(end_ - next_); }
 
@@ -127,7 +127,7 @@ class Reader {
   void number(unsigned& value) { value = decodeBigEndian32(take(4)); }
   void number(int& value) { value = decodeBigEndianSigned32(take(4)); }
 
-  /// An int16 in thousandths of what it says. It is rounded to the nearest.
+  /// An int16 in thousandths, rounded to the nearest.
   void thousandths(double& value) {
     short number_of_them = 0;
     number(number_of_them);
@@ -165,8 +165,8 @@ class Reader {
   }
   void item(unsigned char& value) { number(value); }
 
-  /// Items, as many as the number before them says.
-  /// @param problem reported if there are more than `most`
+  /// Items, after a field with their number.
+  /// @param problem the report if there are more than `most`
   template <typename Item, typename Count>
   void list(Item* items, Count& count, size_t most, const char* problem) {
     wrong_size_ = "the count does not match the size of the payload";
@@ -180,7 +180,7 @@ class Reader {
     is_short_ = is_short_ || (count < announced && announced <= most);
   }
 
-  /// Items up to the end.
+  /// Items up to the end of the payload.
   template <typename Item, typename Count>
   void rest(Item* items, Count& count, size_t most, const char* problem) {
     for (count = 0; count < most && left() > 0; ++count) {
@@ -201,8 +201,8 @@ class Reader {
     }
   }
 
-  /// Plain text (text.h) up to the end. The result points into the payload.
-  /// @param limit a Writer cuts the text to this size, after a whole character
+  /// Plain text (text.h) up to the end of the payload. The result points into the payload.
+  /// @param limit the size to which a Writer cuts the text, after a whole character
   void text(const char*& text, size_t& size, size_t /*limit*/) { takeText(left(), text, size); }
 
   /// Plain text up to a newline, which is required.
@@ -214,18 +214,18 @@ class Reader {
     next_ += newline == NULL ? 0 : 1;
   }
 
-  /// Any bytes up to the end. The result points into the payload.
+  /// Any bytes up to the end of the payload. The result points into the payload.
   void content(const unsigned char*& bytes, size_t& size) {
     size = left();
     bytes = next_;
     next_ = end_;
   }
 
-  /// A file's name, up to the end.
+  /// A file's name, up to the end of the payload.
   void name(ReadFileName read, FileName& name, bool may_be_empty) { takeName(read, left(), name, may_be_empty); }
 
   /// A file's name after a byte with its size.
-  /// @param problem reported if the name is longer than the payload
+  /// @param problem the report if the name is longer than the payload
   void sizedName(ReadFileName read, FileName& name, const char* problem) {
     const size_t size = left() == 0 ? 1 : *take(1);
     if (size > left()) {
@@ -234,7 +234,7 @@ class Reader {
     takeName(read, size > left() ? 0 : size, name, false);
   }
 
-  /// A requirement. Call it after the fields that it concerns.
+  /// Requires that `good` is true. Call this after the fields that it concerns.
   void require(bool good, const char* problem) { problem_ = problem_ == NULL && !good ? problem : problem_; }
 
  private:
@@ -250,7 +250,7 @@ class Reader {
     next_ = end_;
   }
 
-  // The next bytes, or zeros (at most four) if there are too few.
+  // The next bytes; zeros (at most four) if there are too few.
   const unsigned char* take(size_t size) {
     static const unsigned char ZEROS[4] = {0, 0, 0, 0};
     const bool is_there = size <= left();
@@ -283,7 +283,7 @@ class Reader {
   bool is_short_;
 };
 
-/// @param out room for encodedSize() bytes; NULL: they are only counted
+/// @param out room for encodedSize() bytes; NULL to count the bytes only
 /// @return number of bytes
 template <typename Payload>
 size_t encode(const Payload& payload, unsigned char* out) {
@@ -297,8 +297,8 @@ size_t encodedSize(const Payload& payload) {
   return encode(payload, NULL);
 }
 
-/// Decodes a payload and checks its size, counts, reserved bytes and limited values. The server checks whether a value
-/// makes sense for this robot, for instance whether a joint exists.
+/// Decodes a payload and checks its size, counts, reserved bytes and limited values. It is left to the server to check
+/// whether a value makes sense for this robot, for instance whether a joint exists.
 /// @param[out] payload undefined unless the result is NULL
 /// @return NULL, or what is wrong, in words that can follow "bad request: "
 template <typename Payload>

@@ -32,7 +32,7 @@ size_t encodeFileList(const FileList& list, unsigned char* out) {
 
 const char* decodeFileList(ReadFileName read, const unsigned char* payload, size_t size, FileList* list) {
   list->count = 0;
-  // A name follows every separator, so the last line may not be empty.
+  // A name follows every separator, so a list must not end with one.
   for (size_t begin = 0; size > 0 && begin <= size; ++list->count) {
     if (list->count == MAX_LISTED_FILES) {
       return "more than 256 names";

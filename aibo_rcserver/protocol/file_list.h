@@ -10,7 +10,7 @@
 namespace protocol {
 namespace version2 {
 
-/// A robot with more files lists only this many.
+/// The most names in a list. A robot with more files lists only this many.
 const size_t MAX_LISTED_FILES = 256;
 
 struct FileList {
@@ -24,7 +24,7 @@ const size_t MAX_FILE_LIST_SIZE = MAX_LISTED_FILES * (MAX_FILE_NAME_SIZE + 1) - 
 /// @param out room for MAX_FILE_LIST_SIZE bytes
 size_t encodeFileList(const FileList& list, unsigned char* out);
 
-/// @param read decides which names are accepted
+/// @param read the function that decides which names are accepted
 /// @param[out] list undefined unless the result is NULL
 /// @return NULL, or what is wrong
 const char* decodeFileList(ReadFileName read, const unsigned char* payload, size_t size, FileList* list);

@@ -10,8 +10,8 @@
 namespace protocol {
 namespace version2 {
 
-/// Splits a byte stream into frames, however TCP splits or joins the bytes. It has no memory but the given buffer. It
-/// refuses a frame that is larger than the buffer as soon as the header is complete. Not thread-safe.
+/// Splits a byte stream into frames, however TCP splits or joins the bytes. It uses no memory except the given buffer.
+/// It refuses a frame that is larger than the buffer as soon as the header is complete. The class is not thread-safe.
 ///
 /// @code
 /// while (size > 0) {
@@ -34,7 +34,7 @@ class FrameReader {
   ///   in a server
   FrameReader(unsigned char* buffer, size_t capacity);
 
-  /// Call for a new connection.
+  /// Call this for a new connection.
   void reset();
 
   /// Adds received bytes, at most up to the end of a frame. The next call begins the next frame. After FRAME_TOO_LARGE
@@ -44,10 +44,10 @@ class FrameReader {
 
   bool isBetweenFrames() const;
 
-  /// Valid after FRAME_COMPLETE and FRAME_TOO_LARGE, until the next append().
+  /// The header of the frame. It is valid after FRAME_COMPLETE and FRAME_TOO_LARGE, until the next append().
   const FrameHeader& header() const { return header_; }
 
-  /// header().payload_size bytes. Valid after FRAME_COMPLETE, until the next append().
+  /// The payload, header().payload_size bytes. It is valid after FRAME_COMPLETE, until the next append().
   const unsigned char* payload() const { return buffer_; }
 
  private:

@@ -17,7 +17,7 @@ const int REQUIRED_KEYS = KEY_WALK_LIMITS;  // all keys before this one
 
 const char* const KEY_NAMES[KEY_COUNT] = {"robot", "server", "frame_number", "capabilities", "limits", "walk_limits"};
 
-// A piece of the payload, not zero-terminated.
+// A part of the payload, without a zero byte at its end.
 struct Text {
   const char* begin;
   const char* end;
@@ -27,7 +27,7 @@ struct Text {
   bool operator==(const char* other) const { return size() == strlen(other) && memcmp(begin, other, size()) == 0; }
 };
 
-// Removes everything through the first `separator`, or everything if there is none. Returns it without the separator.
+// Removes the text up to the first `separator`, or all of it if there is none, and returns it without the separator.
 Text takeUntil(char separator, Text* text) {
   const void* found = text->isEmpty() ? NULL : memchr(text->begin, separator, text->size());
   Text taken = *text;

@@ -28,10 +28,10 @@ struct JointLimits {
   int speed;  ///< microradian/s, not negative
 };
 
-/// Longest text in a hello, without the zero byte.
+/// The longest text in a hello, without the zero byte.
 const size_t MAX_HELLO_TEXT_SIZE = 127;
 
-/// Texts are plain (text.h) and end in a zero byte.
+/// The content of a hello. Texts are plain (text.h) and end in a zero byte.
 struct Hello {
   char robot[MAX_HELLO_TEXT_SIZE + 1];         ///< the design, in OPEN-R's words: "ERS-7"
   char server[MAX_HELLO_TEXT_SIZE + 1];        ///< name and version of the server
@@ -39,14 +39,14 @@ struct Hello {
   char capabilities[MAX_HELLO_TEXT_SIZE + 1];  ///< supported kinds of request and other abilities, with spaces
   unsigned char joint_count;                   ///< 0..MAX_JOINTS
   JointLimits joints[MAX_JOINTS];              ///< `limits`: id:lower:upper:speed, separated by spaces
-  WalkLimits walk;  ///< `walk_limits`: forward:back:left:turn, on the wire in mm/s and mrad/s
+  WalkLimits walk;  ///< `walk_limits`: forward:back:left:turn; in the payload, in mm/s and mrad/s
 };
 
 /// Room for the keys, three texts, at most 4 + 3 * 12 bytes per joint, and 4 * 6 for the walk.
 const size_t MAX_HELLO_SIZE = 160 + 3 * MAX_HELLO_TEXT_SIZE + MAX_JOINTS * 40;
 
 /// @param out room for MAX_HELLO_SIZE bytes
-/// @return bytes written
+/// @return the number of bytes written
 size_t encodeHello(const Hello& hello, unsigned char* out);
 
 /// @param[out] hello undefined unless the result is NULL

@@ -19,11 +19,11 @@ const size_t MAX_MOTION_FILE_SIZE = MAX_PAYLOAD_TOWARDS_ROBOT - 1 - MAX_MOTION_N
 /// Bit of the id of `U` and `P`: do not refuse a motion of joints that the robot lacks.
 const unsigned char LEAVE_OUT_MISSING_JOINTS = 1;
 
-/// Frames (5 s) that reading the file of a motion may take. `P` is judged again when the file has been read, with so
-/// much more time. Our choice.
+/// How many frames (5 s) it may take to read the file of a motion. When the file has been read, the age of a `P` is
+/// checked again, with this much more time. The value is our choice.
 const unsigned FILE_READING_FRAMES = 625;
 
-/// Payload of `U`: uint8 size of the name, the name, the content of the file. The reply has none.
+/// Payload of `U`: uint8 size of the name, the name, the content of the file. The reply has no payload.
 struct MotionUpload {
   MotionName name;
   const unsigned char* content;  ///< unchecked; after decoding, points into the payload
@@ -39,7 +39,7 @@ struct MotionUpload {
 
 const Request STORE_MOTION = {REQUEST_UPLOAD, "store the motion", NEEDS_MEMORY_STICK, "ALLOW_UPLOAD"};
 
-/// Payload of `D`: the name. The reply has none.
+/// Payload of `D`: the name. The reply has no payload.
 struct MotionToDelete {
   MotionName name;
 

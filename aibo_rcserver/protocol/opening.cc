@@ -11,7 +11,7 @@ namespace {
 
 const char LETTERS_OF_PAIRS[] = "FWXJSVA";  // requests that can have two bytes
 
-// RFC 9110, section 5.6.2. Comparing with isalnum() alone would depend on the locale.
+// True for the characters of RFC 9110, section 5.6.2. With isalnum() alone, the result would depend on the locale.
 bool isOfToken(unsigned char byte) {
   return byte < 0x80 && (isalnum(byte) || (byte != '\0' && strchr("!#$%&'*+-.^_`|~", byte) != NULL));
 }

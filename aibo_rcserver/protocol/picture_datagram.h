@@ -2,10 +2,10 @@
 /// Pictures by UDP in version 2: the request `B` and its datagrams.
 ///
 /// A picture is sent in parts of DATAGRAM_PART_SIZE bytes; the last part has the rest. Each part is a datagram with a
-/// header that describes the whole picture, so a receiver can begin with any part, and it can have parts repeated.
+/// header that describes the whole picture, so a receiver can begin with any part, and can ask for parts again.
 ///
 /// If datagrams get lost, each group of PARTS_PER_PARITY parts is followed by its parity: the exclusive or of their
-/// bytes. It replaces any one lost datagram of the group.
+/// bytes. A parity replaces any one lost datagram of its group.
 #ifndef AIBO_RCSERVER_PROTOCOL_PICTURE_DATAGRAM_H
 #define AIBO_RCSERVER_PROTOCOL_PICTURE_DATAGRAM_H
 
@@ -35,15 +35,15 @@ struct DatagramOrder {
   }
 };
 
-/// The pictures whose parts the robot can repeat: the last ones that it has begun to send.
+/// How many pictures have parts that the robot can repeat: the last ones that it has begun to send.
 const unsigned KEPT_PICTURES = 3;
 
 const Request SEND_DATAGRAMS = {REQUEST_DATAGRAMS, "send its pictures by UDP", 0, NULL};
 
 const size_t DATAGRAM_HEADER_SIZE = 16 + IMAGE_HEADER_SIZE;
 
-/// With the headers of IP and UDP this makes 1400 bytes, which no network or tunnel has to split. Sony's IPStack is
-/// said to crash on datagrams of more than some 19 KB.
+/// With the headers of IP and UDP, the packet has 1400 bytes, which no network or tunnel has to split. Sony's IPStack
+/// is said to crash on datagrams of more than some 19 KB.
 const size_t MAX_DATAGRAM_SIZE = 1372;
 
 /// The size of every part but the last.
@@ -54,13 +54,13 @@ size_t numberOfParts(size_t jpeg_size);
 /// @param part 0 to numberOfParts() - 1
 size_t sizeOfPart(size_t jpeg_size, size_t part);
 
-/// Most parts in a group with a parity. A picture at 208x160 is one group.
+/// The most parts in a group with a parity. A picture of 208x160 is one group.
 const size_t PARTS_PER_PARITY = 8;
 
 size_t numberOfParities(size_t parts);
 
 /// Adds a part to the parity of its group. A new parity is all 0 and has the size of the group's first part.
-/// @param size of the part
+/// @param size the size of the part
 void addToParity(const unsigned char* part, size_t size, unsigned char* parity);
 
 /// The first byte of a datagram.
@@ -72,8 +72,8 @@ struct PictureDatagram {
   bool is_parity;
   unsigned short part;  ///< index in the picture, from 0; for a parity, the first part of its group
   unsigned sequence;    ///< counts datagrams, from the number in `B` on
-  unsigned picture;     ///< counts pictures, likewise
-  unsigned jpeg_size;   ///< the whole picture, 1..MAX_JPEG_SIZE
+  unsigned picture;     ///< counts pictures, from the number in `B` on
+  unsigned jpeg_size;   ///< size of the whole picture, 1..MAX_JPEG_SIZE
   ImageHeader image;
 
   template <typename Fields>
@@ -98,8 +98,8 @@ struct PictureDatagram {
 /// Decodes a datagram and checks its size. The part or parity begins at bytes + DATAGRAM_HEADER_SIZE.
 const char* decodePictureDatagram(const unsigned char* bytes, size_t size, PictureDatagram* datagram);
 
-/// A receiver sends this when datagrams were lost, so that parities follow: char `l`, 3 x uint8 0, uint32 picture that
-/// showed the loss.
+/// A receiver sends this report when datagrams were lost, so that parities follow: char `l`, 3 x uint8 0, uint32
+/// picture that showed the loss.
 struct LossReport {
   unsigned picture;
 
@@ -110,10 +110,10 @@ struct LossReport {
   }
 };
 
-/// A receiver sends this when a picture is complete or parts are missing: char `s`, uint8 0, uint16 first part, uint32
-/// picture, uint32 bits.
+/// A receiver sends this status when a picture is complete or parts are missing: char `s`, uint8 0, uint16 first part,
+/// uint32 picture, uint32 bits.
 struct DatagramStatus {
-  /// The parts that one status can ask for.
+  /// How many parts one status can ask for.
   static const unsigned MOST_MISSING = 32;
 
   unsigned short first_part;
@@ -134,9 +134,9 @@ struct DatagramStatus {
 
 const size_t DATAGRAM_STATUS_SIZE = 12;
 
-/// Writes the datagram that answers a `B` that is only a test. It begins like a part with the first numbers of the
-/// order, and the rest is 0. It is as large as a datagram can be, so that it gets through only where those of pictures
-/// do.
+/// Writes the datagram that answers a `B` that is only a test. The datagram begins like a part, with the first numbers
+/// of the order, and the rest is 0. It is as large as a datagram can be, so that it gets through only where datagrams
+/// of pictures do.
 /// @param[out] out room for MAX_DATAGRAM_SIZE bytes, which are all written
 void encodeTest(const DatagramOrder& order, unsigned char* out);
 

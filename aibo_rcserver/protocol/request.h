@@ -10,10 +10,10 @@ namespace version2 {
 enum Trait {
   STOPS_ROBOT = 1,          ///< holds joints or switches the motors off; goes before everything else
   STOPS_MOTIONS = 2,        ///< stops one motion or all
-  STARTS_MOVEMENT = 4,      ///< cancelled by a stop
+  STARTS_MOVEMENT = 4,      ///< a stop cancels the request
   TAKES_OVER_JOINTS = 8,    ///< decides the positions of joints from then on
   ENDS_WALK = 16,           ///< forbids earlier requests to begin a walk
-  MOVES_BODY = 32,          ///< a robot that cannot walk does not support it
+  MOVES_BODY = 32,          ///< the request is not supported by a robot that cannot walk
   NEEDS_MEMORY_STICK = 64,  ///< the answer needs the stick; such requests wait for one another
   FETCHES_FILE = 128        ///< the answer is a file and can take long
 };
@@ -21,9 +21,9 @@ enum Trait {
 /// A row in the table of requests, beside its payload. A letter has several rows if its requests do different things.
 struct Request {
   char letter;
-  const char* words;    ///< what the request does, in words that follow "refused to "
+  const char* words;    ///< what the request does, in words to put after "refused to "
   int traits;           ///< bits of Trait
-  const char* setting;  ///< the line of RCSERVER.CFG that has to allow it, or NULL
+  const char* setting;  ///< the line of RCSERVER.CFG that has to allow the request, or NULL
 
   bool has(Trait trait) const { return (traits & trait) != 0; }
 };

@@ -16,7 +16,7 @@ struct Request {
   unsigned char payload[FILE_REQUEST_SIZE - BASIC_COMMAND_SIZE];
 };
 
-/// Splits the bytes of a version 1 client into requests. No I/O, fixed memory, not thread-safe.
+/// Splits the bytes of a version 1 client into requests. It does no I/O, has a fixed size, and is not thread-safe.
 ///
 /// The letter determines the size of most requests, so it does not matter how TCP splits or joins the bytes. But `J`,
 /// `S`, `V` and `A` exist in two sizes. Servers since 2005 tell them apart by the number of bytes that arrive together:
@@ -29,11 +29,11 @@ struct Request {
 /// | 4 | a write |
 /// | more | wrong size: all waiting bytes become one invalid request |
 ///
-/// Bytes wait from append() to next(). If TCP delivers a write as two pairs, it is mistaken for a read; version 1
-/// offers no remedy.
+/// Bytes wait from append() to next(). If TCP delivers a write as two pairs of bytes, it is mistaken for a read, and
+/// version 1 offers no remedy.
 ///
-/// Content follows `U` and `C`. A caller that wants it calls takeContent() before the next next(), which skips the
-/// rest. So the content of a refused file is never mistaken for requests.
+/// `U` and `C` are followed by content. A caller that wants it calls takeContent() before the next next(), which skips
+/// the rest. So the content of a refused file is never mistaken for requests.
 ///
 /// @code
 /// while (reader.contentLeft() > 0 && (size = reader.takeContent(bytes, sizeof(bytes))) > 0) { ... }
@@ -41,12 +41,12 @@ struct Request {
 /// @endcode
 class RequestReader {
  public:
-  /// append() always takes this many bytes if at most one unfinished request is waiting.
+  /// How many bytes append() always takes if at most one unfinished request is waiting.
   static const size_t MAX_APPENDED = 1024;
 
   static const size_t MAX_WAITING = MAX_APPENDED + FILE_REQUEST_SIZE;
 
-  /// Most requests that next() can find after one append(). The shortest has two bytes.
+  /// The most requests that next() can find after one append(). The shortest has two bytes.
   static const size_t MAX_REQUESTS = MAX_WAITING / BASIC_COMMAND_SIZE;
 
   RequestReader();
@@ -58,11 +58,11 @@ class RequestReader {
   static bool beginsWithRequest(const unsigned char* bytes, size_t size) { return frontSize(bytes, size) > 0; }
 
   /// Adds received bytes.
-  /// @return how many were taken: all, if `size` is at most MAX_APPENDED and the last next() returned false or the last
-  ///   takeContent() returned 0
+  /// @return how many bytes were taken: all, if `size` is at most MAX_APPENDED and the last next() returned false or
+  ///   the last takeContent() returned 0
   size_t append(const unsigned char* bytes, size_t size);
 
-  /// Takes the next request, after the last one's content.
+  /// Takes the next request. What is left of the last request's content is skipped.
   /// @return false if no complete request is waiting
   bool next(Request* request);
 
@@ -71,14 +71,14 @@ class RequestReader {
 
   /// Takes waiting bytes of the content.
   /// @param out room for `capacity` bytes
-  /// @return how many; 0 if none are waiting or the content has ended
+  /// @return the number of bytes; 0 if none are waiting or the content has ended
   size_t takeContent(unsigned char* out, size_t capacity);
 
   /// The waiting bytes. After the request for version 2 they belong to version 2.
   const unsigned char* waiting() const { return waiting_; }
   size_t waitingSize() const { return waiting_size_; }
 
-  /// Takes out the first of the waiting bytes.
+  /// Removes bytes from the beginning of the waiting ones.
   void take(size_t size);
 
  private:

@@ -30,9 +30,9 @@ enum SoundPart {
 const unsigned SAMPLES_PER_FRAME = 128;  ///< at 16000/s
 const size_t BYTES_PER_SAMPLE = 2;
 
-/// Bits of MicrophoneSettings::mode. While sound waits on the robot, a picture that is ready goes first. With
-/// SOUND_FIRST, pictures wait until what was heard has been sent, and while less than half a second waits for the
-/// speaker.
+/// Bits of MicrophoneSettings::mode. Without SOUND_FIRST, a picture that is ready is sent before the sound that waits
+/// on the robot. With SOUND_FIRST, pictures wait until what was heard has been sent, and while less than half a second
+/// waits for the speaker.
 enum MicrophoneMode { MICROPHONE_ON = 1, SOUND_FIRST = 2 };
 
 /// Payload of `A` 1 and of its reply: uint8 mode, uint8 channels, uint16 samples/s. The ERS-7 hears two channels at
@@ -54,14 +54,14 @@ struct MicrophoneSettings {
 };
 
 /// Payload of a pushed `a` 1: uint32 frame number, uint16 samples of each channel, uint8 channels, uint8 0, int16
-/// samples. Where the frame numbers of two pushes are further apart than the samples of the first last, sound is
-/// missing: it could not be sent in time.
+/// samples. If the frame numbers of two pushes are further apart than the first push lasts, sound is missing between
+/// them: it could not be sent in time.
 struct HeardSound {
   unsigned frame_number;  ///< OPEN-R frame (8 ms) in which the first sample was heard
-  unsigned short count;   ///< of samples of each channel
+  unsigned short count;   ///< number of samples of each channel
   unsigned char channels;
   const unsigned char* samples;  ///< big-endian int16; left and right in turn; after decoding, points into the payload
-  size_t samples_size;           ///< bytes; 0 to encode all but the samples, which go behind it
+  size_t samples_size;           ///< bytes; 0 encodes everything except the samples, which the caller appends
 
   template <typename Fields>
   void visit(Fields& fields) {
@@ -80,12 +80,12 @@ const size_t HEARD_SOUND_HEADER_SIZE = 8;
 
 /// Payload of `A` 2: uint32 position of the first sample, uint8 last, 3 x uint8 0, int16 samples, mono, 16000/s.
 ///
-/// Position 0 begins a sound and replaces one that plays; without samples, but last, it only stops that one. A sound
-/// begins with its first samples, so 64 ms or more should come at once. A sample
-/// is played `position` samples after the first one. So the robot plays silence in place of samples that come too late
-/// or not at all, and leaves out those that come too late. No samples, and not last: a question how many may follow.
+/// Position 0 begins a sound and replaces one that plays; if it is the last and has no samples, it only stops the sound
+/// that plays. A sound begins with its first samples, so 64 ms or more should come at once. A sample is played
+/// `position` samples after the first one. So the robot plays silence in place of samples that come too late or not at
+/// all, and leaves out late ones. A part that has no samples and is not the last asks how many may follow.
 struct PlayedSound {
-  unsigned position;             ///< of the first sample in the whole sound
+  unsigned position;             ///< position of the first sample in the whole sound
   bool last;                     ///< the sound ends with these samples
   const unsigned char* samples;  ///< big-endian int16; after decoding, points into the payload
   size_t samples_size;           ///< bytes
@@ -100,13 +100,13 @@ struct PlayedSound {
   }
 };
 
-/// Most samples that wait on the robot, 1.02 s: a request with more than there is room for is refused.
+/// The most samples that can wait on the robot, 1.02 s. A request with more than there is room for is refused.
 const unsigned SPEAKER_CAPACITY = 16384;
 
-/// A sound ends (END_REFUSED) when no sample has come for this time.
+/// How long no sample may come before a sound ends (END_REFUSED).
 const unsigned SPEAKER_TIMEOUT_MS = 2000;
 
-/// Payload of the reply to `A` 2: uint32 samples. As the sound plays, 16000/s more may follow.
+/// Payload of the reply to `A` 2: uint32 samples. While the sound plays, 16000 more may follow each second.
 struct SpeakerRoom {
   unsigned samples;  ///< how many may follow now
 
@@ -116,11 +116,11 @@ struct SpeakerRoom {
   }
 };
 
-/// Payload of a pushed `a` 2: uint8 how, 3 x uint8 0, uint32 samples, uint32 gaps, uint32 missing. It is pushed when
-/// the last sample has been played, or the sound has ended otherwise.
+/// Payload of a pushed `a` 2: uint8 how, 3 x uint8 0, uint32 samples, uint32 gaps, uint32 missing. The message is
+/// pushed when the last sample has been played, or when the sound has ended otherwise.
 struct SoundEnd {
   unsigned char how;  ///< END_DONE, END_REPLACED, END_STOPPED, END_REFUSED: nothing more came; expect others
-  unsigned samples;   ///< that were played, with the silence in the gaps
+  unsigned samples;   ///< samples that were played, with the silence in the gaps
   unsigned gaps;      ///< how often samples did not come in time
   unsigned missing;   ///< samples of silence in these gaps
 
@@ -134,8 +134,8 @@ struct SoundEnd {
   }
 };
 
-/// The volume that the robot's own switch says; a reply never has it. It is in force until a client sets another, and
-/// again when that client has gone.
+/// The volume that the robot's own switch selects. It is in force until a client sets another volume, and again when
+/// that client has gone. A reply never has this value.
 const unsigned char VOLUME_OF_ROBOT = 255;
 const unsigned char MAX_VOLUME = 3;
 

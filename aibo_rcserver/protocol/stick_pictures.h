@@ -17,10 +17,10 @@ namespace version2 {
 enum StickPictureRequest {
   LIST_PICTURES = 1,  ///< no payload; the reply is the list
   FETCH_PICTURE = 2,  ///< payload: the name; the reply is the content, 1..MAX_STICK_PICTURE_SIZE bytes
-  DELETE_PICTURE = 3  ///< payload: the name; the reply has none
+  DELETE_PICTURE = 3  ///< payload: the name; the reply has no payload
 };
 
-/// Robots neither keep nor send larger pictures.
+/// The largest picture that a robot keeps or sends.
 const size_t MAX_STICK_PICTURE_SIZE = 128 * 1024;
 
 /// Payload of `Y` to fetch or delete, and of the reply to `M`: the name. The reply to a list has all names

@@ -95,7 +95,7 @@ size_t plainCharacterAt(const char* bytes, size_t size) {
   return isPlainCharacter(code_point, character_size) ? character_size : 0;
 }
 
-// Unlike toupper(), this does not depend on the locale.
+// The character as a capital. Unlike toupper(), this function does not depend on the locale.
 char capital(char character) {
   return character >= 'a' && character <= 'z' ? static_cast<char>(character - 'a' + 'A') : character;
 }
@@ -113,7 +113,7 @@ bool isAllowedInName(const char* stem, size_t size) {
   return true;
 }
 
-// Windows ignores the ending of a device's name.
+// True if Windows takes the name for a device, whatever its ending is.
 bool isDevice(const char* name, size_t stem_size) {
   static const char* const DEVICES[] = {"CON", "PRN", "AUX", "NUL", "CLOCK$"};
   for (size_t i = 0; i < sizeof(DEVICES) / sizeof(DEVICES[0]); ++i) {
@@ -125,7 +125,7 @@ bool isDevice(const char* name, size_t stem_size) {
   return is_port && stem_size == 4 && name[3] >= '0' && name[3] <= '9';
 }
 
-// "WAG~1" is Windows' short form of a longer name.
+// True if Windows may use the name as the short form of a longer one, such as "WAG~1".
 bool standsForLongName(const char* name, size_t stem_size) {
   size_t digits = 0;
   while (digits < stem_size && name[stem_size - 1 - digits] >= '0' && name[stem_size - 1 - digits] <= '9') {

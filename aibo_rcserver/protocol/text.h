@@ -17,7 +17,7 @@ bool isPlainText(const char* bytes, size_t size);
 /// The largest size up to `limit` at which a well-formed text can be cut between characters.
 size_t sizeOfWholeCharacters(const char* bytes, size_t size, size_t limit);
 
-/// A part of somebody else's bytes; not zero-terminated.
+/// A part of other bytes, without a zero byte at its end.
 struct Text {
   const char* begin;
   size_t size;
@@ -27,7 +27,7 @@ struct Text {
 /// and without white space and DOS' end of file (0x1a) at the end. Each reader of a file that people edit uses this.
 Text textInFile(const char* bytes, size_t size);
 
-/// In characters: "WALK_FWD.MTN".
+/// The longest name, in characters: "WALK_FWD.MTN".
 const size_t MAX_FILE_NAME_SIZE = 12;
 const size_t MAX_MOTION_NAME_SIZE = MAX_FILE_NAME_SIZE;
 
@@ -37,19 +37,19 @@ typedef FileName MotionName;
 typedef FileName PictureName;
 
 /// Reads the name of a motion file: one to eight characters and ".MTN". The characters are those of a memory stick:
-/// letters A to Z, digits and !#$%&'()-@^_`{}~. So no name leads out of a folder. Small letters become capitals,
+/// letters A to Z, digits and !#$%&'()-@^_`{}~. So no name can lead out of a folder. Small letters become capitals,
 /// because the memory stick does not distinguish them.
 ///
-/// @param text any bytes; not zero-terminated
-/// @param[out] name unchanged on an error
+/// @param text any bytes, which need not end in a zero byte
+/// @param[out] name unchanged if there is an error
 /// @return NULL, or what is wrong, in words that a user can act on
 const char* readMotionName(const char* text, size_t size, MotionName& name);
 
-/// Likewise for a picture, whose name ends in ".JPG".
+/// Does the same for a picture, whose name ends in ".JPG".
 const char* readPictureName(const char* text, size_t size, PictureName& name);
 
-/// Why no stranger may store a file under a name that readMotionName() accepts: Windows takes CON, COM1 and the like
-/// for devices, and a name with `~` and digits at its end could replace a file with a longer name.
+/// Checks whether anybody may store a file under a name that readMotionName() accepts: Windows takes CON, COM1 and the
+/// like for devices, and a name with `~` and digits at its end could replace a file with a longer name.
 /// @return NULL, or what is wrong, in words that a user can act on
 const char* problemOfNewMotionName(const MotionName& name);
 

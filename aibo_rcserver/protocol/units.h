@@ -17,7 +17,7 @@
 
 namespace protocol {
 
-/// Converts an angle, speed or acceleration. Nothing is limited: -32768 (-327.68 degrees) becomes -5719095.
+/// Converts an angle, speed or acceleration without limiting it: -32768 (-327.68 degrees) becomes -5719095.
 int microradiansFromCentidegrees(short centidegrees);
 
 /// Converts an angle, speed or acceleration, limited to -327.68..327.67 degrees. Some speeds exceed this: the ERS-7's
@@ -25,16 +25,16 @@ int microradiansFromCentidegrees(short centidegrees);
 /// converts back to the same number.
 short centidegreesFromMicroradians(int microradians);
 
-/// From OPEN-R's unit. No sensor's range comes near the limits of 16 bits.
+/// Converts from OPEN-R's unit. No sensor's range comes near the limits of 16 bits.
 short version1SensorValue(robot_model::SensorKind kind, int value);
 
-/// From OPEN-R's unit. A touch is limited to a strength of 2147.
+/// Converts from OPEN-R's unit. A touch is limited to a strength of 2147.
 int version2SensorValue(robot_model::SensorKind kind, int value);
 
-/// To m, m/s^2, N, degrees Celsius, charge 0 to 1, strength of a touch, or 0 or 1.
+/// Converts to m, m/s^2, N, degrees Celsius, charge 0 to 1, strength of a touch, or 0 or 1.
 double sensorValueFromVersion1(robot_model::SensorKind kind, short sent);
 
-/// To the same units as sensorValueFromVersion1().
+/// Converts to the same units as sensorValueFromVersion1().
 double sensorValueFromVersion2(robot_model::SensorKind kind, int sent);
 
 }  // namespace protocol

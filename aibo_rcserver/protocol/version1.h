@@ -13,17 +13,17 @@
 
 namespace protocol {
 
-/// TCP (report, section 2.2).
+/// The port for TCP (report, section 2.2).
 const int RCSERVER_PORT = 54321;
 
-/// Clients ask for this JPEG quality by default (report, section 3.3.3).
+/// The JPEG quality that clients ask for by default (report, section 3.3.3).
 const unsigned char DEFAULT_JPEG_QUALITY = 85;
 
-/// Higher numbers mean the same (report, section 3.3.6).
+/// The highest JPEG quality. Higher numbers mean the same (report, section 3.3.6).
 const unsigned char MAX_JPEG_QUALITY = 100;
 
-/// The largest picture, in bytes, that either side sends or accepts. Our choice: the worst 208x160 picture at quality
-/// 100 takes 99.5 KiB at 4:2:0 (libjpeg-turbo's tjBufSize), and 197 KiB at 4:4:4.
+/// The largest picture, in bytes, that either side sends or accepts. The value is our choice: the worst 208x160 picture
+/// at quality 100 takes 99.5 KiB at 4:2:0 (libjpeg-turbo's tjBufSize), and 197 KiB at 4:4:4.
 const size_t MAX_PICTURE_SIZE = 256 * 1024;
 
 /// The first bytes of every request (report, section 2.3).
@@ -54,7 +54,7 @@ const char REPLY_ERROR = 'e';
 
 /// Codes of an error reply.
 enum ErrorCode {
-  ERROR_REFUSED = 0,       ///< unknown command, wrong size, not allowed, anything else
+  ERROR_REFUSED = 0,       ///< unknown command, wrong size, not allowed, or any other reason
   ERROR_FILE_MISSING = 1,  ///< file missing or unreadable
   ERROR_NOT_A_MOTION = 2   ///< readMotionName() refuses the name
 };
@@ -68,7 +68,7 @@ const size_t VALUE_REPLY_SIZE = 4;     ///< bytes of a value or error reply: let
 /// A reply of four bytes: a value or an error.
 struct ValueReply {
   char letter;               ///< the request's small letter, or REPLY_ERROR
-  unsigned char identifier;  ///< the request's; 0 for an error
+  unsigned char identifier;  ///< the identifier of the request; 0 for an error
   short value;               ///< the value, or an ErrorCode
 };
 
@@ -79,8 +79,8 @@ BasicGetCommand decodeCommand(const unsigned char* in);
 /// @param size bytes of the JPEG that follows, 1..MAX_PICTURE_SIZE
 void encodePictureHeader(size_t size, unsigned char* out);
 
-/// @param[out] size announced bytes of the JPEG, even if out of range
-/// @return false if this is not a picture header, or the size is 0 or above MAX_PICTURE_SIZE
+/// @param[out] size the bytes of the JPEG that are announced, even if out of range
+/// @return false if the bytes are no picture header, or if the size is 0 or above MAX_PICTURE_SIZE
 bool decodePictureHeader(const unsigned char* in, size_t* size);
 
 const size_t VALUE_SIZE = 2;  ///< bytes of an encoded value, an int16
@@ -96,10 +96,10 @@ ValueReply decodeValueReply(const unsigned char* in);
 /// A value, an acknowledgement and an error have VALUE_REPLY_SIZE bytes.
 bool isValueReply(char letter);
 
-/// In `L` and `K`: all LEDs or both ears.
+/// The identifier in `L` and `K` that means all LEDs or both ears.
 const unsigned char ALL_IDENTIFIERS = 0;
 
-/// In `Y`: mode A; any other identifier means mode B.
+/// The identifier in `Y` that means mode A; any other means mode B.
 const unsigned char FACE_MODE_A = 1;
 
 /// The low byte of the value of `L` and `Y`. The high byte is ignored.
@@ -119,7 +119,7 @@ const size_t MAX_CONTENT_SIZE = 65535 * 512 + 65535;
 
 void encodeFileRequest(const FileRequest& request, unsigned char* out);
 
-/// Does not check the name; readMotionName() does.
+/// Decodes a request. It does not check the name; readMotionName() does.
 FileRequest decodeFileRequest(const unsigned char* in);
 
 /// The content that `U` and `C` announce: a * 512 + b bytes.

@@ -6,8 +6,8 @@
 /// big-endian, angles are in microradians, times on the robot are in OPEN-R frames of 8 ms. Numbers whose source is not
 /// named are our choice.
 ///
-/// encode() and decode() in fields.h convert each payload struct. Beside it is the request's row (request.h). Other
-/// headers have more payloads: hello.h, motion_requests.h, walk_requests.h, camera_settings.h, color_requests.h,
+/// encode() and decode() in fields.h convert each payload struct. The request's row (request.h) is next to its payload.
+/// Other headers have more payloads: hello.h, motion_requests.h, walk_requests.h, camera_settings.h, color_requests.h,
 /// picture_datagram.h, stick_pictures.h and sound_requests.h.
 #ifndef AIBO_RCSERVER_PROTOCOL_VERSION2_H
 #define AIBO_RCSERVER_PROTOCOL_VERSION2_H
@@ -30,7 +30,7 @@ BasicGetCommand versionRequest();
 /// The version 1 reply that agrees: {`x`, 2, 0, 0}. Frames follow it.
 ValueReply versionReply();
 
-/// After any other answer, the connection stays at version 1.
+/// True if the reply agrees to version 2. After any other answer, the connection stays at version 1.
 bool agreesToVersion2(const ValueReply& reply);
 
 struct FrameHeader {
@@ -56,7 +56,7 @@ const size_t FRAME_HEADER_SIZE = 8;
 const size_t MAX_PAYLOAD_TOWARDS_CLIENT = 256 * 1024;
 const size_t MAX_PAYLOAD_TOWARDS_ROBOT = 64 * 1024;
 
-/// Does not check the payload size; FrameReader does.
+/// Decodes a header. It does not check the payload size; FrameReader does.
 FrameHeader decodeFrameHeader(const unsigned char* in);
 
 const char REQUEST_HELLO = 'H';         ///< hello and heartbeat; no payload; the reply's is in hello.h. An empty `h`
@@ -65,7 +65,7 @@ const char REQUEST_PICTURE = 'F';       ///< one picture, id = JPEG quality; the
 const char REQUEST_STREAM = 'W';        ///< stream on or off, id = JPEG quality; pushes pictures
 const char REQUEST_JOINTS = 'J';        ///< moves joints; the reply has the accepted targets
 const char REQUEST_SPEED_LIMITS = 'V';  ///< sets or reads speed limits of joints; the reply has those in force
-const char REQUEST_TELEMETRY = 'T';     ///< telemetry period; the reply has the one in force; pushes values
+const char REQUEST_TELEMETRY = 'T';     ///< telemetry period; the reply has the period in force; pushes values
 const char REQUEST_MOTORS = 'O';        ///< switches the motors, or reads their state; the reply has the state
 const char REQUEST_HOLD = 'I';          ///< stops joints and what moves them, id = HoldScope; the reply has no payload
 const char REQUEST_LEDS = 'L';          ///< sets LEDs; the reply has the accepted values
@@ -76,7 +76,7 @@ const char REQUEST_DELETE = 'D';        ///< deletes a motion
 const char REQUEST_PLAY = 'P';          ///< plays or stops a motion
 const char REQUEST_LIST = 'N';          ///< lists the motions on the robot
 const char REQUEST_SAVE_PICTURE = 'M';  ///< takes a picture onto the memory stick, id = quality; the reply has its name
-const char REQUEST_PICTURES = 'Y';      ///< lists, fetches or deletes them, id = StickPictureRequest (stick_pictures.h)
+const char REQUEST_PICTURES = 'Y';      ///< lists, fetches or deletes pictures; id = StickPictureRequest
 const char REQUEST_STEER = 'S';         ///< walks; the reply has the velocity in force (walk_requests.h)
 const char REQUEST_POSTURE = 'E';       ///< takes a posture, id = Posture; the reply comes when it begins
 const char REQUEST_SHUT_DOWN = 'Q';     ///< motors off, then shut down; nothing follows the reply
@@ -85,10 +85,10 @@ const char REQUEST_REBOOT = 'R';        ///< motors off, then reboot; nothing fo
 const char PICTURE = 'f';                  ///< a picture: the reply to `F`, or pushed
 const char TELEMETRY_PUSH = 't';           ///< measured values (request_number 0), or the reply to `T`
 const char END_PUSH = 'i';                 ///< something has ended on the robot
-const char MOTORS_AND_POSTURE_PUSH = 'o';  ///< pushed (request_number 0), or the reply to `O`, without the posture
+const char MOTORS_AND_POSTURE_PUSH = 'o';  ///< pushed (request_number 0); the reply to `O` has no posture
 const char ERROR_MESSAGE = 'e';  ///< a refusal; if pushed: a joint's fault, a power event, or why the connection closes
 
-/// As the time after which an order is too old: it never is. For programs that a person watches.
+/// The value of not_after for an order that is never too old. It is for programs that a person watches.
 const unsigned NEVER_TOO_OLD = 0xffffffffu;
 
 /// True if an order is too old to be carried out.
@@ -102,10 +102,10 @@ unsigned notAfter(unsigned present, int frames);
 /// The small letter of the request.
 char replyKind(char request_kind);
 
-/// A successful reply to `E` is an `e`, too, but without payload. An error has at least its code.
+/// True for an error, which has at least its code. A successful reply to `E` is an `e`, too, but has no payload.
 bool isError(char kind, size_t payload_size);
 
-/// The server's own default. Other numbers above MAX_JPEG_QUALITY mean MAX_JPEG_QUALITY.
+/// The quality that means the server's own default. Other numbers above MAX_JPEG_QUALITY mean MAX_JPEG_QUALITY.
 const unsigned char SERVER_DEFAULT_QUALITY = 255;
 
 /// The camera's layers, in OPEN-R's numbering, and the double resolution that the server computes from them.
@@ -166,7 +166,7 @@ struct JointValue {
   }
 };
 
-/// Most joints in a payload. An ERS-7 and an ERS-210 have 18 servos.
+/// The most joints in a payload. An ERS-7 and an ERS-210 have 18 servos.
 const size_t MAX_JOINTS = 32;
 extern const char TOO_MANY_JOINTS[];
 extern const char JOINT_TWICE[];
@@ -174,7 +174,7 @@ extern const char JOINT_TWICE[];
 /// Payload of the reply to `J`: uint16 duration, uint8 count, uint8 0, count x {uint8 id, uint8 0, uint16 0, int32
 /// microradian}. No id may repeat.
 struct JointTargets {
-  unsigned short duration_ms;  ///< when all joints arrive; 0 = each as fast as its limits allow
+  unsigned short duration_ms;  ///< when all joints arrive; 0 means that each moves as fast as its limits allow
   unsigned char count;         ///< 0..MAX_JOINTS
   JointValue joints[MAX_JOINTS];
 
@@ -188,7 +188,7 @@ struct JointTargets {
   }
 };
 
-/// Payload of `J`: uint32 not after, then as JointTargets.
+/// Payload of `J`: uint32 not after, then the fields of JointTargets.
 struct JointOrder {
   unsigned not_after;  ///< frame (isTooOld())
   JointTargets targets;
@@ -217,8 +217,8 @@ struct SpeedLimits {
 
 const Request LIMIT_SPEEDS = {REQUEST_SPEED_LIMITS, "limit the speed of joints", 0, NULL};
 
-/// What telemetry has besides positions, sensors and the walk: bits of the id of `T`. The reply repeats the bits that
-/// the server knows.
+/// What telemetry contains besides positions, sensors and the walk: bits of the id of `T`. The reply repeats the bits
+/// that the server knows.
 enum TelemetryContent { TELEMETRY_PLAIN = 0, TELEMETRY_WITH_DUTY = 1 };
 
 /// Payload of `T` and its reply: uint16 period in OPEN-R frames of 8 ms, 0 = off.
@@ -254,7 +254,7 @@ struct TelemetryEntry {
   }
 };
 
-/// Most values in a push. An ERS-7 has 18 joints and about 20 sensors.
+/// The most values in a push. An ERS-7 has 18 joints and about 20 sensors.
 const size_t MAX_TELEMETRY_ENTRIES = 128;
 
 /// Payload of a pushed `t`: uint32 frame number, uint16 count, uint16 0, count x {char group, uint8 id, uint16 0, int32
@@ -277,7 +277,7 @@ const size_t MAX_TELEMETRY_SIZE = 8 + MAX_TELEMETRY_ENTRIES * 8;
 
 /// Payload of `O`: uint32 not after, uint8 1 = on, 0 = off. An empty request reads the state.
 struct MotorOrder {
-  unsigned not_after;  ///< frame (isTooOld()); ignored by 0
+  unsigned not_after;  ///< frame (isTooOld()); ignored if the motors are switched off
   bool on;
 
   template <typename Fields>
@@ -306,14 +306,14 @@ enum Posture {
   POSTURE_UNKNOWN = 0,  ///< none of the others
   POSTURE_STAND = 1,
   POSTURE_SIT = 2,
-  POSTURE_REST = 3,  ///< lies; if `E` asks for it, the robot lies down, then switches the motors off
+  POSTURE_REST = 3,  ///< the robot lies; if `E` asks for it, the robot lies down, then switches its motors off
   POSTURE_WALK = 4,
-  POSTURE_FALLEN = 5,  ///< on its side or back
+  POSTURE_FALLEN = 5,  ///< the robot lies on its side or back
   POSTURE_CARRIED = 6
 };
 
-/// Payload of a pushed `o`: uint8 1 = motors on, 0 = off, uint8 posture, uint16 0. A client gets it soon after its
-/// first request and at each change.
+/// Payload of a pushed `o`: uint8 1 = motors on, 0 = off, uint8 posture, uint16 0. A client gets this message soon
+/// after its first request and at each change.
 struct MotorsAndPosture {
   bool motors_on;
   unsigned char posture;  ///< a Posture
@@ -364,7 +364,7 @@ struct LedValue {
   }
 };
 
-/// Most LEDs in a payload. An ERS-7 has 26.
+/// The most LEDs in a payload. An ERS-7 has 26.
 const size_t MAX_LEDS = 32;
 
 /// Payload of `L` and its reply: count x {uint8 id, uint8 intensity, uint8 mode, uint8 0}. No id may repeat.
@@ -383,8 +383,8 @@ const Request SET_LEDS = {REQUEST_LEDS, "set LEDs", 0, NULL};
 
 /// Payload of `K` and its reply: uint8 left, uint8 right; 1 = drawn by the magnet, 0 = released.
 struct EarPositions {
-  bool left;   ///< request: draw it; reply: it is drawn
-  bool right;  ///< likewise
+  bool left;   ///< in a request: draw the ear; in a reply: the ear is drawn
+  bool right;  ///< the same for the right ear
 
   template <typename Fields>
   void visit(Fields& fields) {
@@ -401,13 +401,13 @@ const Request REBOOT = {REQUEST_REBOOT, "reboot", 0, "ALLOW_REBOOT"};
 /// The payload of `f` before the JPEG: uint32 image count, uint32 frame number, uint16 width, uint16 height, uint8
 /// quality, uint8 layer, uint16 camera settings (packCameraSettings()).
 struct ImageHeader {
-  unsigned image_count;     ///< the camera's own counter; a robot may use only the low 16 bits
+  unsigned image_count;     ///< the camera's own counter, of which a robot may use only the low 16 bits
   unsigned frame_number;    ///< the OPEN-R frame (8 ms) of the image
   unsigned short width;     ///< pixels, never 0
   unsigned short height;    ///< pixels, never 0
   unsigned char quality;    ///< JPEG quality, 0..MAX_JPEG_QUALITY
-  Layer layer;              ///< the picture's source
-  CameraSettings settings;  ///< in force when the camera delivered the image; may be unknown
+  Layer layer;              ///< the layer that the picture was made from
+  CameraSettings settings;  ///< the settings in force when the camera delivered the image; may be unknown
 
   template <typename Fields>
   void visit(Fields& fields) {
@@ -442,7 +442,7 @@ struct PicturePayload {
   }
 };
 
-/// Error codes. A receiver must accept unknown ones.
+/// Error codes. A receiver must accept unknown codes.
 enum {
   CODE_REFUSED = 0,        ///< bad payload, unknown joint, not allowed, or another reason
   CODE_FILE_MISSING = 1,   ///< the file is missing or unreadable
@@ -452,7 +452,7 @@ enum {
   CODE_TOO_OLD = 5         ///< the order came later than its not_after
 };
 
-/// In bytes. A longer text is cut after a whole character.
+/// The longest text, in bytes. A longer text is cut after a whole character.
 const size_t MAX_ERROR_TEXT_SIZE = 512;
 const size_t MAX_ERROR_MESSAGE_SIZE = 2 + MAX_ERROR_TEXT_SIZE;
 
@@ -475,26 +475,26 @@ enum {
   ENDED_WALK = 2,     ///< walking; the name is WALK_NAME
   ENDED_POSTURE = 3,  ///< a change of posture; the name is postureName()
   ENDED_JAM = 4,      ///< a joint's fault: the joint follows its commands again; the name is the joint's
-  ENDED_JOINTS = 5    ///< a `J`: none of its joints is under way; no name
+  ENDED_JOINTS = 5    ///< a `J`: no joint moves for it any more; no name
 };
 
 /// How it has ended. A receiver must accept unknown values.
 enum {
-  END_DONE = 0,      ///< it has reached its end; for a walk: zeros have ended it; for a `J`: its joints were
-                     ///< measured within ARRIVED of their targets
-  END_REPLACED = 1,  ///< a command, a motion, a walk or a posture took its joints
+  END_DONE = 0,      ///< its end was reached; for a walk: zeros have ended it; for a `J`: its joints were measured
+                     ///< within ARRIVED of their targets
+  END_REPLACED = 1,  ///< a command, a motion, a walk or a posture took the joints
   END_STOPPED = 2,   ///< the client stopped it or did not steer for 500 ms, or the motors were switched off
   END_REFUSED = 3,   ///< the robot could not continue, for instance because a joint did not follow
   END_FELL = 4       ///< the robot fell or was lifted
 };
 
-/// A joint of a `J` has arrived if it is this near its target, in microradian: 0.05 rad. Our choice.
+/// How near a joint of a `J` has to be to its target to have arrived, in microradian: 0.05 rad. Our choice.
 const int ARRIVED = 50000;
 
-/// Frames (2 s) in which it must arrive. They begin 12 frames after its planned way (docs/protocol.md). Our choice.
+/// Frames (2 s) that such a joint has to arrive, from 12 frames after its planned way (docs/protocol.md). Our choice.
 const unsigned ARRIVAL_FRAMES = 250;
 
-/// In bytes. Longer ones are cut after a whole character.
+/// The longest texts, in bytes. A longer text is cut after a whole character.
 const size_t MAX_END_NAME_SIZE = 64;
 const size_t MAX_END_REASON_SIZE = 512;
 const size_t MAX_END_MESSAGE_SIZE = 4 + MAX_END_NAME_SIZE + 1 + MAX_END_REASON_SIZE;
@@ -503,7 +503,7 @@ const size_t MAX_END_MESSAGE_SIZE = 4 + MAX_END_NAME_SIZE + 1 + MAX_END_REASON_S
 struct EndMessage {
   unsigned char what;
   unsigned char how;
-  unsigned short order;  ///< number of the request that began it; 0: a joint's fault, or what an earlier client began
+  unsigned short order;  ///< number of its request; 0 for a joint's fault, and for what an earlier client began
   const char* name;      ///< plain text (text.h), may be empty; after decoding, points into the payload
   size_t name_size;
   const char* reason;  ///< plain text that a user can act on, may be empty; after decoding, points into the payload

@@ -8,7 +8,7 @@
 namespace protocol {
 namespace version2 {
 
-/// Without a new `S` for this time, a robot stops walking and stands.
+/// How long a robot walks on without a new `S`. After this time, it stops walking and stands.
 const unsigned STEERING_TIMEOUT_MS = 500;
 
 /// Bits of the id of `S`.
@@ -16,7 +16,7 @@ enum SteeringOption {
   STEER_GUARDED = 1  ///< the walk slows down and ends before edges and walls, and where the robot cannot see
 };
 
-/// A velocity on the wire: int16 forward and left in mm/s, int16 turn in mrad/s.
+/// A velocity; in a payload: int16 forward and left in mm/s, int16 turn in mrad/s.
 struct Velocity {
   double forward;  ///< m/s, negative is backward
   double left;     ///< m/s, negative is to the right
@@ -32,7 +32,7 @@ struct Velocity {
   }
 };
 
-/// Payload of `S`: uint32 not after, Velocity, uint16 0. All 0: stop walking and stand, however late it is.
+/// Payload of `S`: uint32 not after, Velocity, uint16 0. If it is all 0, the robot stops and stands, however late.
 struct SteeringOrder {
   unsigned not_after;  ///< frame (isTooOld())
   Velocity velocity;
@@ -47,7 +47,7 @@ struct SteeringOrder {
 
 /// Payload of the reply to `S`: Velocity, uint16 walk.
 struct SteeringReply {
-  Velocity velocity;    ///< in force, within the robot's WalkLimits
+  Velocity velocity;    ///< the velocity in force, within the robot's WalkLimits
   unsigned short walk;  ///< number of the `S` that began the walk; 0 if there is no walk
 
   template <typename Fields>
@@ -59,7 +59,7 @@ struct SteeringReply {
 
 const Request STEER = {REQUEST_STEER, "walk", MOVES_BODY, NULL};
 
-/// The robot's greatest velocities, not negative; all 0 if it cannot walk. They are in the hello (hello.h).
+/// The robot's greatest velocities, as in the hello (hello.h). They are not negative, and all 0 if it cannot walk.
 struct WalkLimits {
   double forward;  ///< m/s
   double back;     ///< m/s
@@ -94,7 +94,7 @@ inline const char* postureName(Posture posture) {
 /// The name in a pushed `i` (ENDED_WALK).
 const char WALK_NAME[] = "walk";
 
-/// Identifiers in GROUP_WALK. Velocities are those that the feet were commanded on the floor, after all limits, on
+/// Identifiers in GROUP_WALK. The velocities are those of the feet on the floor, as commanded, after all limits, on
 /// average since the previous telemetry. Their sum over time is the distance walked.
 enum WalkValue {
   WALK_FORWARD = 1,  ///< micrometre/s
@@ -105,8 +105,8 @@ enum WalkValue {
 };
 
 enum WalkState {
-  WALK_STATE_NONE = 0,        ///< does not walk
-  WALK_STATE_GETS_READY = 1,  ///< stands up
+  WALK_STATE_NONE = 0,        ///< the robot does not walk
+  WALK_STATE_GETS_READY = 1,  ///< the robot stands up
   WALK_STATE_WALKS = 2
 };
 

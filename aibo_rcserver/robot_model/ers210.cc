@@ -73,7 +73,7 @@ const Ear EARS[] = {
 
 }  // namespace
 
-// Sony's Model Information ERS-210 has no coupled limits.
+// There are no coupled limits in Sony's Model Information ERS-210.
 const RobotModel ERS210 = {"ERS-210",       JOINTS, NUMBER_OF(JOINTS), 0, 0, SENSORS, NUMBER_OF(SENSORS), LEDS,
                            NUMBER_OF(LEDS), EARS,   NUMBER_OF(EARS),   8};
 

@@ -5,7 +5,7 @@ namespace robot_model {
 namespace {
 
 // Sony's tables let the hind knees bend to 122 degrees, but Sony's own motions for the ERS-7 (sitting and sleeping, in
-// MOTION7.ODA of the samples) to 125. That leaves 2 degrees to the mechanical limit.
+// MOTION7.ODA of the samples) bend them to 125. This leaves 2 degrees to the mechanical limit.
 const Joint JOINTS[] = {
     {"neck_tilt", 1, "PRM:/r1/c1-Joint2:11", RANGE(-75, 0), RANGE(-80, 3), 3185226, GAINS(0x0A, 0x04, 0x02)},
     {"head_pan", 2, "PRM:/r1/c1/c2-Joint2:12", RANGE(-88, 88), RANGE(-93, 93), 10057460, GAINS(0x08, 0x02, 0x04)},
@@ -39,7 +39,7 @@ const Joint JOINTS[] = {
     {"tail_tilt", 52, "PRM:/r6/c1-Joint2:61", RANGE(5, 60), RANGE(0, 65), 15162548, GAINS(0x0A, 0x04, 0x04)},
 };
 
-// Section 2.1.2 has the coupled limits of rotator and elevator.
+// The coupled limits of rotator and elevator are from section 2.1.2.
 const CouplingRow FRONT_LEG[] = {
     ROW(-115, -76, -1), ROW(-75, -54, -2), ROW(-55, -46, -3), ROW(-45, -36, -4), ROW(-35, -31, -5), ROW(-30, -26, -6),
     ROW(-25, -21, -7),  ROW(-20, -16, -8), ROW(-15, -11, -9), ROW(-10, 20, -10), ROW(21, 25, -9),   ROW(26, 30, -8),
@@ -60,7 +60,7 @@ const CouplingRow NECK[] = {
     ROW(-40, 0, -5),
 };
 
-// Mouth and head. Sony gives no limits for a mouth that is open further than -30 degrees. The jaw then comes closer to
+// Mouth and head. Sony gives no limits for a mouth that is open further than -30 degrees. An open jaw comes closer to
 // the neck, so the head keeps to Sony's highest limit.
 const CouplingRow MOUTH[] = {
     ROW(-55, -31, 5),

@@ -10,7 +10,7 @@ namespace robot_model {
 
 namespace {
 
-// Below this angle, a tenth of a pixel, a place counts as being in the middle of the picture.
+// A place counts as in the middle of the picture if the error is below this angle, a tenth of a pixel.
 const double MIDDLE = 0.0005;
 
 // The search for the neck's angle begins with steps of this size, and continues with smaller ones around the best
@@ -44,7 +44,7 @@ class Head {
   Limits Neck() const { return LimitsOf(neck_); }
   Limits Pan() const { return LimitsOf(pan_); }
 
-  // The head keeps out of the neck's way, so its limits depend on the neck.
+  // The limits of head_tilt. They depend on the neck, because the head keeps out of its way.
   Limits Tilt(double neck_tilt) {
     posture_[neck_] = static_cast<int>(floor(neck_tilt * 1e6 + 0.5));
     const Limits limits = {radian(lowestPosition(model_, tilt_, posture_)), radian(model_.joints[tilt_].highest)};

@@ -14,8 +14,8 @@ namespace robot_model {
 // Lengths are from Tekkotsu's kinematic table of the ERS-7.
 const double NECK_FORWARD = 0.0675;  ///< from the body's origin to the joint neck_tilt
 const double NECK_UP = 0.0195;
-const double NECK_LENGTH = 0.080;       ///< from there to the point where the axes of head_pan and head_tilt meet
-const double CAMERA_FORWARD = 0.08106;  ///< from there to the camera, in the head
+const double NECK_LENGTH = 0.080;       ///< from neck_tilt to the point where the axes of head_pan and head_tilt meet
+const double CAMERA_FORWARD = 0.08106;  ///< from that point to the camera, in the head
 const double CAMERA_UP = -0.0146;
 
 /// The joints between body and camera. At zero the neck is upright and the head looks ahead.
@@ -36,7 +36,7 @@ Point findInBody(const Point& in_head, const HeadAngles& angles);
 double findViewError(const Point& place, const HeadAngles& angles);
 
 /// How neck and head turn to show a place in the middle of the picture, within joint limits and with a closed mouth. Of
-/// several solutions, it takes the one with the most upright neck. The head's current position has no influence.
+/// several solutions, the one with the most upright neck is taken. The head's current position has no influence.
 /// @return findViewError() of these angles: below 0.001 if the place is in the middle of the picture. The camera cannot
 ///   look behind the robot, at the floor beside it, or at places nearer to the head than the camera
 double findHeadAngles(const Point& place, HeadAngles* angles);

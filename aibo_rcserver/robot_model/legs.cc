@@ -45,7 +45,7 @@ double lengthOf(const Point& point) {
   return sqrt(point.x * point.x + point.z * point.z);
 }
 
-// Where elevator and rotator turn a place of the leg to, in the body.
+// The place in the body to which elevator and rotator turn a place of the leg.
 // @param point relative to the shoulder, for the left front leg, straight down
 Point turnedAboutShoulder(Leg leg, const Point& point, const LegAngles& angles) {
   const double rotator = endOf(leg) * angles.rotator;
@@ -56,7 +56,8 @@ Point turnedAboutShoulder(Leg leg, const Point& point, const LegAngles& angles) 
   return mirrored(leg, turned);
 }
 
-// Finds rotator and elevator for a given knee, which puts the foot at the right distance from the shoulder.
+// Finds rotator and elevator for a given angle of the knee, which puts the foot at the right distance from the
+// shoulder.
 // @param way from the shoulder to the foot, for the left front leg
 // @return false if the elevator cannot move the foot far enough sideways
 bool turnLeg(Leg leg, const Point& way, double knee, LegAngles* angles) {
@@ -64,7 +65,7 @@ bool turnLeg(Leg leg, const Point& way, double knee, LegAngles* angles) {
   const double forward = KNEE.x + shank.x * cos(knee) - shank.z * sin(knee);
   const double up = KNEE.z + shank.x * sin(knee) + shank.z * cos(knee);
 
-  // The rotator does not move the foot sideways, and the elevator does not move it forward.
+  // The rotator does not move the foot sideways, and the elevator does not move it forward or back.
   const double sine = way.y / sqrt(shank.y * shank.y + up * up);
   const double elevator = asin(std::min(std::max(sine, -1.0), 1.0)) - atan2(shank.y, -up);
   const double lifted = shank.y * sin(elevator) + up * cos(elevator);
@@ -103,12 +104,12 @@ Point findRolledWay(Leg leg, const LegAngles& angles) {
 }
 
 bool findLegAngles(Leg leg, const Point& foot, LegAngles* angles) {
-  Point way = mirrored(leg, foot);  // from the shoulder
+  Point way = mirrored(leg, foot);  // from the shoulder to the foot
   way.x -= SHOULDER.x;
   way.y -= SHOULDER.y;
   way.z -= SHOULDER.z;
 
-  // Only the knee changes the foot's distance in the plane of the leg.
+  // In the plane of the leg, only the knee changes the foot's distance.
   const Point& shank = shankOf(leg);
   const double square = way.x * way.x + way.y * way.y + way.z * way.z - shank.y * shank.y;
   const double upper = lengthOf(KNEE);

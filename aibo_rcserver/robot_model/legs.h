@@ -9,7 +9,7 @@
 
 namespace robot_model {
 
-/// In the order of the robot's table of joints.
+/// The legs, in the order of the robot's table of joints.
 enum Leg { LEFT_FRONT_LEG, LEFT_HIND_LEG, RIGHT_FRONT_LEG, RIGHT_HIND_LEG };
 
 const int NUMBER_OF_LEGS = 4;
@@ -23,7 +23,7 @@ inline bool isLeft(Leg leg) {
   return leg == LEFT_FRONT_LEG || leg == LEFT_HIND_LEG;
 }
 
-/// The joints of one leg. At zero the leg is straight down. Signs are Sony's (robot_model.h).
+/// The joints of one leg. At zero, the leg points straight down. The signs are Sony's (robot_model.h).
 struct LegAngles {
   double rotator;   ///< positive swings the leg forward
   double elevator;  ///< positive lifts the leg away from the body
@@ -36,7 +36,7 @@ struct Point {
   double z;
 };
 
-/// The foot is a ball.
+/// The radius of a foot, which is a ball.
 const double FOOT_RADIUS = 0.013;
 
 /// The identifier (robot_model.h) of a leg's joint.
@@ -49,18 +49,18 @@ Point findShoulder(Leg leg);
 /// The axis of the knee.
 Point findKnee(Leg leg, const LegAngles& angles);
 
-/// The centre of the ball.
+/// The centre of the ball that is the foot.
 Point findFoot(Leg leg, const LegAngles& angles);
 
-/// How far the ball of a foot has rolled, forward and to the left, since all angles of its leg were 0. Where a foot
-/// touches level ground moves, seen from the body, like the sum of this and findFoot().
+/// How far the ball of a foot has rolled, forward and to the left, since all angles of its leg were 0. Seen from the
+/// body, the point where a foot touches level ground moves like the sum of this way and findFoot().
 Point findRolledWay(Leg leg, const LegAngles& angles);
 
-/// How the leg bends to put its foot at a place, ignoring joint limits. Of several solutions, it takes one with the
-/// foot below the shoulder, not with the leg lifted over it; of those, one with the knee bent, not overstretched. (A
+/// How the leg bends to put its foot at a place, ignoring joint limits. Of several solutions, one with the foot below
+/// the shoulder is preferred to one with the leg lifted over it, and of those, a bent knee to an overstretched one. (A
 /// front leg is longest with the knee at 11.8 degrees, a hind leg at 18.9.)
 /// @param foot the centre of the foot
-/// @param[out] angles if the place is too near or too far, they come close
+/// @param[out] angles if the place is too near or too far, the angles that come close
 /// @return true if the leg reaches the place
 bool findLegAngles(Leg leg, const Point& foot, LegAngles* angles);
 

@@ -32,7 +32,7 @@ int findByName(const Part* parts, int count, const char* name) {
   return NOT_FOUND;
 }
 
-// A part without a locator is not a primitive of OPEN-R.
+// The index of the part with this locator. A part without a locator is not a primitive of OPEN-R.
 template <typename Part>
 int findByLocator(const Part* parts, int count, const char* locator) {
   for (int i = 0; i < count; ++i) {
@@ -123,7 +123,7 @@ int coupledLowest(const Coupling& coupling, int leader_position) {
   while (last_not_above > 0 && rows[last_not_above].from > leader_position) {
     --last_not_above;
   }
-  // These may be one row, two overlapping rows, or the rows on both sides of a gap.
+  // The first and the last of these rows may be one row, two overlapping rows, or the rows on both sides of a gap.
   return std::max(rows[first_not_below].lowest, rows[last_not_above].lowest);
 }
 

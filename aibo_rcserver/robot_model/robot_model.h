@@ -2,19 +2,19 @@
 /// An Aibo in numbers: joints with their limits, postures in which parts of the body would collide, sensors, LEDs and
 /// ears. C++98, no I/O.
 ///
-/// Angles are whole microradians, as in OPEN-R; `int` has 32 bits on both sides. Signs are Sony's. At zero, the legs
-/// are straight down. Positive is up for head and tail, left for pan, forward for rotators, away from the body for
-/// elevators, and bent for knees (Model Information ERS-7, section 2.1).
+/// Angles are whole microradians, as in OPEN-R; `int` has 32 bits on both sides. The signs are Sony's. At zero, the
+/// legs point straight down. Positive is up for head and tail, left for pan, forward for rotators, away from the body
+/// for elevators, and bent for knees (Model Information ERS-7, section 2.1).
 #ifndef AIBO_RCSERVER_ROBOT_MODEL_ROBOT_MODEL_H
 #define AIBO_RCSERVER_ROBOT_MODEL_ROBOT_MODEL_H
 
 namespace robot_model {
 
-/// Length of OPEN-R's frame: the ERS-7 and the ERS-210 take a joint value every 8 ms (Sony's OPEN-R programmer's
+/// The length of OPEN-R's frame: the ERS-7 and the ERS-210 take a joint value every 8 ms (Sony's OPEN-R programmer's
 /// guide).
 const int FRAME_MILLISECONDS = 8;
 
-/// The largest numbers of any robot, for fixed arrays.
+/// The largest numbers of parts of any robot, for arrays of a fixed size.
 const int MAX_JOINTS = 18;
 const int MAX_SENSORS = 18;
 const int MAX_LEDS = 26;
@@ -36,10 +36,10 @@ struct PidGains {
   unsigned short derivative_shift;
 };
 
-/// One servo. Sources: "MI" is Sony's Model Information ERS-7 or ERS-210.
+/// One servo. In the comments, "MI" is Sony's Model Information ERS-7 or ERS-210.
 struct Joint {
   const char* name;          ///< in ROS: lower case with underscores
-  unsigned char identifier;  ///< on the wire; docs/protocol.md lists them
+  unsigned char identifier;  ///< in the protocol; docs/protocol.md lists the identifiers
   const char* locator;       ///< for OPENR::OpenPrimitive() (MI)
 
   /// The range of allowed targets, in microradians (MI, software limits; section 2.1.1 for the ERS-7). The ERS-7's J1
@@ -48,25 +48,25 @@ struct Joint {
   int lowest;
   int highest;
 
-  /// The range when somebody moves the joint by hand, in microradians (MI, drawing in section 1.2).
+  /// The range in which somebody can move the joint by hand, in microradians (MI, drawing in section 1.2).
   int mechanical_lowest;
   int mechanical_highest;
 
-  /// In microradians/s. ERS-7: Sony's figures in Tekkotsu's ERS7Info.h. ERS-210: Sony's FAQ, quoted in Tekkotsu's
-  /// JointSpeedLimits.txt.
+  /// In microradians/s. The ERS-7's figures are Sony's, in Tekkotsu's ERS7Info.h. The ERS-210's are from Sony's FAQ,
+  /// quoted in Tekkotsu's JointSpeedLimits.txt.
   int highest_speed;
 
-  PidGains gains;  ///< ERS-7: MI, standard gains. ERS-210: Tekkotsu's ERS210Info.h
+  PidGains gains;  ///< standard gains of the ERS-7 (MI); those of the ERS-210 in Tekkotsu's ERS210Info.h
 };
 
 /// The default acceleration of a joint, in microradians/s^2.
 ///
-/// No source gives a figure. With this one, a joint reaches its highest speed in 100 ms, 12.5 frames of 8 ms. That
+/// No source gives a figure. With our choice, a joint reaches its highest speed in 100 ms, 12.5 frames of 8 ms. This
 /// protects the gears from jumps of the target, and is enough for walking: swinging a leg by 0.3 rad to each side 1.5
 /// times a second takes 27 rad/s^2, and an ERS-7's rotator gets 48.7.
 int defaultAcceleration(const Joint& joint);
 
-/// While the leader is between `from` and `to`, the follower must not go below `lowest`; in microradians.
+/// While the leader is between `from` and `to`, the follower must not go below `lowest`. All are in microradians.
 struct CouplingRow {
   int from;
   int to;  ///< not below `from`
@@ -96,10 +96,10 @@ enum SensorKind {
   SENSOR_SWITCH         ///< 0 or 1
 };
 
-/// One sensor with a numeric value; not the camera or a microphone.
+/// One sensor with a numeric value. The camera and the microphones are not sensors of this kind.
 struct Sensor {
   const char* name;          ///< in ROS and on the simulated robot's console: lower case with underscores
-  unsigned char identifier;  ///< in the protocol; no joint has the same one; docs/protocol.md has the list
+  unsigned char identifier;  ///< in the protocol, which lists them (docs/protocol.md); no joint has the same one
 
   /// For OPENR::OpenPrimitive() (MI). Null for the charge and temperature of an ERS-7's battery, which come from
   /// OPENR::GetPowerStatus().
@@ -107,12 +107,12 @@ struct Sensor {
 
   SensorKind kind;
 
-  /// The measuring range (MI); 0 and 0 if Sony gives none.
+  /// The measuring range (MI). Both ends are 0 if Sony gives no range.
   int lowest;
   int highest;
 
   /// The sensor is pressed from `on` up, and released below `off` (isPressed()). Both are 0 if it cannot be pressed or
-  /// Sony gives no figure. ERS-7: MI, levels of the electrostatic sensors.
+  /// Sony gives no figure. The ERS-7's figures are the levels of its electrostatic sensors in MI.
   int on;
   int off;
 };
@@ -124,7 +124,7 @@ bool isPressed(const Sensor& sensor, double value, bool was_pressed);
 
 /// OPEN-R's kinds of LEDs.
 enum LedKind {
-  LED2,  ///< on or off
+  LED2,  ///< the LED is on or off
   LED3   ///< intensity 0 to 255, mode A or B
 };
 
@@ -132,7 +132,7 @@ enum LedPlace { LED_ON_HEAD, LED_ON_FACE, LED_ON_BACK, LED_ON_TAIL };
 
 struct Led {
   const char* name;          ///< in ROS: lower case with underscores
-  unsigned char identifier;  ///< on the wire, unique among LEDs; docs/protocol.md lists them
+  unsigned char identifier;  ///< in the protocol, unique among LEDs; docs/protocol.md lists the identifiers
   const char* locator;       ///< for OPENR::OpenPrimitive() (MI); it ends with Sony's name of the LED
   LedKind kind;
   LedPlace place;
@@ -144,7 +144,7 @@ enum EarKind { EAR_JOINT3, EAR_JOINT4 };
 /// An ear. A magnet draws it or lets it go. The magnet must not stay energised (MI).
 struct Ear {
   const char* name;          ///< "left_ear", "right_ear"
-  unsigned char identifier;  ///< on the wire: 1 is left, 2 is right
+  unsigned char identifier;  ///< in the protocol: 1 is left, 2 is right
   const char* locator;       ///< for OPENR::OpenPrimitive() (MI)
   EarKind kind;
 };
@@ -161,10 +161,10 @@ struct RobotModel {
   int number_of_leds;
   const Ear* ears;
   int number_of_ears;
-  int number_of_color_channels;  ///< the camera's colour detection has channels 0..number - 1
+  int number_of_color_channels;  ///< the channels of the camera's colour detection are 0..number - 1
 };
 
-/// Null if there is no such robot.
+/// The model of a design; null if there is no such robot.
 const RobotModel* findRobotModel(const char* design);
 
 /// Returns an index into RobotModel::joints, or NO_JOINT.
@@ -188,7 +188,7 @@ int findEarByName(const RobotModel& model, const char* name);
 int findEarByLocator(const RobotModel& model, const char* locator);
 
 /// The follower's lower limit for this position of the leader, in microradians. Where rows overlap or leave a gap, the
-/// stricter row counts. Beyond all rows, the nearest one counts.
+/// stricter row counts. Beyond all rows, the nearest row counts.
 int coupledLowest(const Coupling& coupling, int leader_position);
 
 /// The lower limit of a joint in this posture, in microradians: its own limit or a coupling's, whichever is higher.

@@ -5,17 +5,17 @@
 
 #include "robot_model/robot_model.h"
 
-/// Converts Sony's degrees. In C++98, only a macro makes the tables compile-time constants.
+/// Converts Sony's degrees. This is a macro because C++98 has no other way to make the tables compile-time constants.
 #define MICRORADIANS(degrees) static_cast<int>((degrees)*17453.2925 + ((degrees) < 0 ? -0.5 : 0.5))
 
-/// In degrees.
+/// A row of a coupling, in degrees.
 #define ROW(from, to, lowest) \
   { MICRORADIANS(from), MICRORADIANS(to), MICRORADIANS(lowest) }
 
-/// In degrees.
+/// A range, in degrees.
 #define RANGE(lowest, highest) MICRORADIANS(lowest), MICRORADIANS(highest)
 
-/// All joints of these robots have the same shifts.
+/// The gains of a joint. All joints of these robots have the same shifts.
 #define GAINS(proportional, integral, derivative) \
   { proportional, integral, derivative, 0x0E, 0x02, 0x0F }
 

@@ -9,7 +9,7 @@
 
 namespace {
 
-// Model Information ERS-7.
+// The locators are those of Model Information ERS-7.
 const char TOUCH[] = "PRM:/r1/c1/c2/c3/t1-Sensor:t1";
 const char TILT[] = "PRM:/r1/c1/c2/c3-Joint2:13";
 const int PRESSED = 9;
@@ -66,7 +66,7 @@ OStatus Nodder::DoStart(const OSystemEvent&) {
   return HoldHead() ? oSUCCESS : oFAIL;
 }
 
-// A joint keeps its position only with power and a gain.
+// Switches the power and the gain on, because a joint keeps its position only with both.
 bool Nodder::HoldHead() {
   OJointValue now;
   if (OPENR::GetJointValue(tilt_, &now) != oSUCCESS) {
@@ -112,7 +112,7 @@ bool Nodder::IsTouched(OSensorFrameVectorData* readings) const {
   return false;
 }
 
-// Without a second vector, the head would stop whenever the first one is over.
+// Sends both vectors. With only one, the head would stop whenever that vector is over.
 void Nodder::BeginNod() {
   OSYSPRINT(("Nodder: nod %d\n", nods_ + 1));
   next_frame_ = 0;
@@ -133,7 +133,7 @@ void Nodder::ReadyHead(const OReadyEvent& event) {
 void Nodder::SendNextPart() {
   for (int i = 0; i < REGIONS; ++i) {
     if (regions_[i]->NumberOfReference() > 1) {
-      continue;  // it is being played, or waits
+      continue;  // the vector is being played, or waits
     }
     OCommandVectorData* vector = reinterpret_cast<OCommandVectorData*>(regions_[i]->Base());
     OJointCommandValue2* values = reinterpret_cast<OJointCommandValue2*>(vector->GetData(0)->value);

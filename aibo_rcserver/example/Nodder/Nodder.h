@@ -21,17 +21,17 @@ class Nodder : public OObject {
   virtual OStatus DoStop(const OSystemEvent& event);
   virtual OStatus DoDestroy(const OSystemEvent& event);
 
-  /// Sensors have been read, every 32 ms.
+  /// Called when sensors have been read, every 32 ms.
   void NotifyTouch(const ONotifyEvent& event);
 
-  /// A command vector has been played.
+  /// Called when a command vector has been played.
   void ReadyHead(const OReadyEvent& event);
 
   OSubject* subject[numOfSubject];
   OObserver* observer[numOfObserver];
 
  private:
-  static const int REGIONS = 2;  ///< one is played, the other one waits
+  static const int REGIONS = 2;  ///< one region is played while the other one waits
 
   bool MakeRegions();
   bool HoldHead();
@@ -44,7 +44,7 @@ class Nodder : public OObject {
   OPrimitiveID tilt_;
   RCRegion* regions_[REGIONS];
   slongword rest_;  ///< the head's position between nods, in microradians
-  int next_frame_;  ///< of the nod; NOD_FRAMES between nods
+  int next_frame_;  ///< the next frame of the nod; NOD_FRAMES between nods
   bool was_touched_;
   int nods_;
 };

@@ -40,7 +40,7 @@ void operator delete[](void* memory) throw() {
 
 namespace std {
 
-/// The allocator of GCC 3.3's containers. The template arguments are part of the symbols.
+/// The allocator of GCC 3.3's containers. The template arguments are needed because they are part of the symbols.
 template <bool threads, int instance>
 struct __default_alloc_template {
   static void* allocate(size_t size) { return ::allocate(size); }

@@ -4,7 +4,7 @@
 #ifndef AIBO_RCSERVER_MEMORY_STICK_PROGRAMS_JCONFIG_H
 #define AIBO_RCSERVER_MEMORY_STICK_PROGRAMS_JCONFIG_H
 
-// ISO C. A macro that is not defined here means no.
+// The settings for ISO C. A macro that is not defined here means no.
 #define HAVE_PROTOTYPES
 #define HAVE_UNSIGNED_CHAR
 #define HAVE_UNSIGNED_SHORT
