@@ -6,7 +6,7 @@ unset CDPATH  # otherwise cd could go elsewhere
 project_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir=$project_dir/.build
 
-# The system's tools come first: python3 or cmake of pyenv, conda or pip would not find the ROS packages.
+# The system's tools come first, because python3 or cmake of pyenv, conda or pip would not find the ROS packages.
 export PATH=/usr/bin:/bin:$PATH
 export PYTHONNOUSERSITE=1
 export HOME=${HOME:-/root}

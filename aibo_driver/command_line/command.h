@@ -16,9 +16,9 @@ namespace aibo_driver::command_line {
 /// is 128 + the signal.
 enum ExitStatus {
   kDone = 0,
-  kFailed = 1,       ///< the robot refused or failed; or a file could not be read or written
+  kFailed = 1,       ///< the robot refused or failed, or a file could not be read or written
   kWrongUsage = 2,   ///< wrong arguments
-  kUnreachable = 3,  ///< no connection to the robot, or it was lost
+  kUnreachable = 3,  ///< there is no connection to the robot, or it was lost
 };
 
 /// The words that the user typed after the name of a command, and the options for all commands.
@@ -42,9 +42,9 @@ struct Arguments {
 /// An option of a command, or of all commands.
 struct Option {
   std::string name;           ///< "seconds", or "output,o" if it has a letter, too
-  std::string argument;       ///< what the help calls its value; empty if it takes no value
-  std::string default_value;  ///< empty if it has none
-  std::string meaning;        ///< for the help
+  std::string argument;       ///< what the help calls the option's value; empty if it takes no value
+  std::string default_value;  ///< empty if the option has none
+  std::string meaning;        ///< the meaning, for the help
 };
 
 struct Example {
@@ -58,8 +58,8 @@ struct Command {
   /// The command's words, such as "FILE [NAME]" or "JOINT=ANGLE..."; empty if it has none. The parser allows as many
   /// words as it says: a word in brackets may be left out, and the last one may be repeated if it ends with three dots.
   std::string synopsis;
-  std::string summary;  ///< a few words
-  std::string details;  ///< whole sentences
+  std::string summary;  ///< the summary, a few words
+  std::string details;  ///< the details, in whole sentences
   std::vector<Example> examples;
   std::function<ExitStatus(const Arguments& arguments, Output& output)> run;
   std::vector<Option> options = {};  ///< the command's own options

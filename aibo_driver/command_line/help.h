@@ -15,7 +15,7 @@ namespace aibo_driver::command_line {
 const std::vector<Option>& commonOptions();
 
 /// The options in the form in which Boost parses and prints them.
-/// @param title the line above them in the help
+/// @param title the line above the options in the help
 boost::program_options::options_description describe(const std::string& title, const std::vector<Option>& options);
 
 /// Lists all commands, one in a line.

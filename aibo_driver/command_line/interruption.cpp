@@ -22,7 +22,7 @@ extern "C" void noteInterruption(int signal) {
 }  // namespace
 
 void noteInterruptions() {
-  event();  // the event is made here, because the handler must not make it
+  event();  // makes the event here, because the handler must not make it
   struct sigaction action = {};
   action.sa_handler = noteInterruption;
   action.sa_flags = static_cast<int>(SA_RESETHAND);

@@ -18,10 +18,10 @@ class Interrupted : public aibo_client::Exception {
 /// Call this once, before other threads begin.
 void noteInterruptions();
 
-/// The signal that came first. It is 0 if none came.
+/// The first signal that came; 0 if none came.
 int interruption();
 
-/// poll() finds this descriptor readable once a signal has come.
+/// A descriptor that poll() finds readable once a signal has come.
 int interruptionDescriptor();
 
 }  // namespace aibo_driver::command_line

@@ -28,9 +28,9 @@ class Output {
   /// From now on the standard output is only for bytes, and results go to the standard error output.
   void leaveStandardOutputToBytes() { results_to_stderr_ = true; }
 
-  /// Shows a result, either in words or as JSON.
-  /// @param words lines; the last one has no newline
-  /// @throw OutputException
+  /// Shows a result, in words or as JSON.
+  /// @param words the result in lines, the last of them without a newline
+  /// @throw OutputException the standard output accepts no more
   void result(const std::string& words, const Json& json);
 
   /// Tells the user something that is not a result. It never fails.
@@ -41,11 +41,11 @@ class Output {
   void bytes(const std::vector<std::uint8_t>& bytes);
 
   /// Writes a picture to a file of this computer. It replaces only files that are JPEGs.
-  /// @param file a file in any folder, a pipe or a device; "-" means the standard output. If it is, or leads
-  ///   to, the standard output, that is then only for bytes
+  /// @param file a file in any folder, a pipe or a device; "-" means the standard output. If the file is the standard
+  ///   output, or leads to it, the standard output is from then on only for bytes
   /// @return the file's absolute path, or "-"
-  /// @throw OutputException
-  /// @throw files::FileException for the reasons of files::saveJpeg()
+  /// @throw OutputException the standard output accepts no more
+  /// @throw files::FileException files::saveJpeg() fails
   std::string picture(const std::string& file, const std::vector<std::uint8_t>& jpeg);
 
  private:

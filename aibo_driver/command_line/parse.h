@@ -18,11 +18,11 @@ struct CommandLine {
   bool version = false;
 };
 
-/// True if --json is among the words, even if other words are wrong. Then the error is a JSON document, too.
+/// True if --json is among the words, even if other words are wrong, so that the error is a JSON document, too.
 bool wantsJson(const std::vector<std::string>& words);
 
-/// Parses the words. The first word that is no option is the command. Its options and the common ones may be anywhere
-/// after it.
+/// Parses the words. The first word that is no option is the command. The command's own options and the common ones may
+/// be anywhere after it.
 /// @param words the words without the program's name
 /// @throw InvalidArgumentException something is wrong; the message says what
 CommandLine parse(const std::vector<std::string>& words);

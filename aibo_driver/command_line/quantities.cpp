@@ -17,7 +17,7 @@ struct Unit {
   double size;
 };
 
-/// @param allowed what to write instead
+/// @param allowed what the user should write instead
 [[noreturn]] void refuse(const std::string& what, const std::string& text, const std::string& allowed) {
   throw aibo_client::InvalidArgumentException(what + " cannot be '" + text + "': give " + allowed);
 }

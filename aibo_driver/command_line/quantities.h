@@ -44,8 +44,8 @@ int parseWholeNumber(const std::string& what, const std::string& text, int lowes
 
 double degrees(double radian);
 
-/// @param thing in the singular
-/// @return such as "1 picture" or "2 pictures"
+/// @param thing the name of the thing, in the singular
+/// @return a text such as "1 picture" or "2 pictures"
 std::string counted(std::uint64_t number, const std::string& thing);
 
 /// @param seconds below 9e9

@@ -27,7 +27,7 @@ using std::chrono::nanoseconds;
 using std::chrono::steady_clock;
 
 constexpr std::size_t kMostWarnings = 64;
-constexpr int kMostTurnsAway = 4;  // the client waits between them, so this takes about a second
+constexpr int kMostTurnsAway = 4;  // the client waits between the attempts, so this takes about a second
 
 ClientOptions optionsFor(const RobotAddress& address, ClientOptions options) {
   options.host = address.host;
@@ -60,7 +60,7 @@ const char* wordsOf(EndedHow how) {
   return "ended in a way that this program does not know";
 }
 
-/// Limits something that a robot can send endlessly. The newest items are kept.
+/// Limits a list that a robot can make endless. The newest items are kept.
 template <typename Kept>
 void keep(const Kept& one, std::size_t most, std::deque<Kept>* kept) {
   kept->push_back(one);
@@ -270,8 +270,8 @@ void Robot::noteTelemetry(const aibo_client::Telemetry& telemetry) {
   });
 }
 
-// The refusal of a motion or posture is the exception of its call. If an order was replaced or stopped before it was
-// sent, this program has done so.
+// The user hears of the refusal of a motion or posture from the exception of its call. If an order was replaced or
+// stopped before it was sent, this program has done so.
 void Robot::noteRefusal(const aibo_client::Refusal& refusal) {
   const bool has_a_call = refusal.request == RefusedRequest::kMotion || refusal.request == RefusedRequest::kPosture;
   const bool is_ours = refusal.cause == RefusalCause::kReplaced || refusal.cause == RefusalCause::kStopped;

@@ -32,39 +32,39 @@ struct RobotAddress {
   std::string host = "127.0.0.1";
   bool host_is_given = false;
   int port = 54321;
-  std::chrono::milliseconds timeout{5000};  ///< the longest time until it is connected
+  std::chrono::milliseconds timeout{5000};  ///< how long to wait for the connection
 };
 
 /// A picture, and when it was complete.
 struct ArrivedPicture {
   aibo_client::PicturePtr picture;
   std::chrono::steady_clock::time_point time;
-  double age = 0;  ///< s, beyond the age of the freshest picture; 0 if it is not known
+  double age = 0;  ///< s, by which the picture is older than the freshest one; 0 if the age is not known
 };
 
 /// The data that a robot has sent so far.
 struct Received {
   aibo_client::ConnectionStatus status;
-  int failures = 0;                                   ///< attempts and connections that have ended, since the beginning
+  int failures = 0;                                   ///< how many attempts and connections have ended
   std::map<int, aibo_client::JointReading> joints;    ///< the latest readings, by identifier
   std::map<int, double> sensors;                      ///< the latest values, by identifier
   std::map<int, double> accepted_joints;              ///< rad, by identifier
-  std::optional<aibo_client::WalkVelocity> velocity;  ///< that of the walk, within the robot's limits; the latest but 0
+  std::optional<aibo_client::WalkVelocity> velocity;  ///< the walk's latest that is not 0, within the robot's limits
   std::optional<std::string> refusal;                 ///< why an order that no call waits for was refused; the first
-  std::optional<aibo_client::ActivityEnd> end;        ///< that of the command's order; empty while it has not ended
+  std::optional<aibo_client::ActivityEnd> end;        ///< how the command's order has ended; empty before
   std::deque<ArrivedPicture> pictures;                ///< the newest kMostPictures that nobody has taken yet
   std::deque<aibo_client::HeardSound> sounds;         ///< the newest kMostSounds that nobody has taken yet
   std::uint64_t lost_pictures = 0;                    ///< pictures that nobody took in time
 };
 
-/// The robot that a command is for. It lets a command wait for the client's callbacks and for Ctrl-C.
+/// The robot that a command is for. The class lets a command wait for the client's callbacks and for Ctrl-C.
 ///
-/// Only one thread may use it.
+/// Only one thread may use an object of this class.
 class Robot {
  public:
   static constexpr std::size_t kMostPictures = 64;
   static constexpr std::size_t kMostSounds = 256;             ///< about 4 s
-  static constexpr int kTelemetryPeriod = 4;                  ///< frames
+  static constexpr int kTelemetryPeriod = 4;                  ///< in frames
   static constexpr std::uint64_t kOrder = 1;                  ///< the number of a command's order
   static constexpr std::chrono::seconds kMeasureTimeout{3};   ///< a version 1 server measures one value after the other
   static constexpr std::chrono::milliseconds kTimeout{2000};  ///< for a request that is answered at once
@@ -84,7 +84,7 @@ class Robot {
   /// Waits for the connection. If the robot turns the client away, it tries again for a second, because the client
   /// before it may be about to leave. Every other fault is reported at once.
   /// @throw NetworkException there is no connection; the message says why and what to check
-  /// @throw Interrupted
+  /// @throw Interrupted the user pressed Ctrl-C
   void connect();
 
   aibo_client::RcServerClient& client() { return *client_; }
@@ -109,7 +109,7 @@ class Robot {
   /// Waits until a condition of the received data is true, but no longer than a certain time.
   /// @return false if the time has passed
   /// @throw NetworkException the connection is lost, and `Loss` does not tolerate that
-  /// @throw Interrupted only once, so that a command can still wait for what ends it
+  /// @throw Interrupted the user pressed Ctrl-C; thrown once, so that a command can still wait for what ends it
   bool waitUntil(const std::function<bool(const Received&)>& done, std::chrono::nanoseconds timeout,
                  Loss loss = Loss::kFails);
 
@@ -118,11 +118,11 @@ class Robot {
   bool waitUnlessRefused(const std::function<bool(const Received&)>& done, std::chrono::nanoseconds timeout);
 
   /// Waits until the robot reports the end of the command's order.
-  /// @param name what was ordered, for messages
+  /// @param name the name of what was ordered, for messages
   /// @param seconds the longest time to wait
-  /// @return what the robot has said about its end, usually nothing; none if it has not ended within this time
-  /// @throw FailedException it ended in another way; the message says so
-  /// @throw NetworkException, Interrupted for the reasons of waitUntil()
+  /// @return what the robot has said about the end, usually nothing; no value if the order has not ended in this time
+  /// @throw FailedException the order ended in another way; the message says so
+  /// @throw NetworkException, Interrupted see waitUntil()
   std::optional<std::string> waitForEnd(const std::string& name, double seconds);
 
   /// Shows the user the client's warnings, and an order's refusal that nobody waited for, since the last call. The

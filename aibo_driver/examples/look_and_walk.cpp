@@ -20,7 +20,7 @@ namespace {
 
 void standUp(aibo_client::RcServerClient& robot) {
   robot.setMotors(true, 5s);
-  robot.takePosture(aibo_client::Posture::kStand, 5s);  // returns when the robot has begun
+  robot.takePosture(aibo_client::Posture::kStand, 5s);  // returns when the robot begins to stand up
   for (int i = 0; robot.motorsAndPosture().posture != aibo_client::PostureNow::kStanding; ++i) {
     if (i == 300) {
       throw std::runtime_error("The robot does not stand after 30 s.");
@@ -62,7 +62,7 @@ int main(int argc, char** argv) {
     options.port = argc > 3 ? std::atoi(argv[3]) : options.port;
     aibo_client::RcServerClient robot(options, {});
     robot.start();
-    robot.waitForConnection(5s);  // if there is none, the exception says why
+    robot.waitForConnection(5s);  // if there is no connection, the exception says why
     standUp(robot);
     robot.commandJoints({{aibo_client::idOfJoint("head_pan"), 0.5}}, 1s);  // rad, to the left
     std::this_thread::sleep_for(1500ms);

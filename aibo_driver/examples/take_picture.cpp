@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
     options.port = argc > 3 ? std::atoi(argv[3]) : options.port;
     aibo_client::RcServerClient robot(options, {});
     robot.start();
-    robot.waitForConnection(5s);  // if there is none, the exception says why
+    robot.waitForConnection(5s);  // if there is no connection, the exception says why
     const aibo_client::PicturePtr picture = robot.takePicture(85, 5s);
     std::ofstream file(argv[2], std::ios::binary);
     file.write(reinterpret_cast<const char*>(picture->jpeg.data()), static_cast<std::streamsize>(picture->jpeg.size()));

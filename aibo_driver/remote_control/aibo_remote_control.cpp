@@ -62,6 +62,6 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   qInstallMessageHandler(usual_handler);
   const int status = showWindow(&application);
-  ros::shutdown();  // also waits until that of Ctrl-C has ended
+  ros::shutdown();  // also waits until a shutdown by Ctrl-C has ended
   return status;
 }

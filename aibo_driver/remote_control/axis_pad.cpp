@@ -83,7 +83,7 @@ void AxisPad::mouseReleaseEvent(QMouseEvent* event) {
   }
 }
 
-// The axes go from one text to the opposite one.
+// Each axis goes from one text to the opposite text.
 void AxisPad::paintAxes(QPainter& painter, const QRectF& inside) const {
   const int height = fontMetrics().height() + 2;
   const auto width = [this](const QString& text) { return fontMetrics().horizontalAdvance(text) + 4; };

@@ -20,13 +20,13 @@ class AxisPad : public QWidget {
  public:
   explicit AxisPad(QWidget* parent = nullptr);
 
-  /// Sets the texts at the edges. They say what the values there mean.
+  /// Sets the texts at the edges, which say what the values there mean.
   void setTexts(const QString& top, const QString& bottom, const QString& left, const QString& right);
 
-  /// Shows the measured place beside the chosen one. It is empty if nothing is known.
+  /// Shows the measured place beside the chosen one. An empty value means that nothing is known.
   void setMeasured(const std::optional<QPointF>& place);
 
-  /// The measured place, as it was set.
+  /// The measured place that was set last.
   const std::optional<QPointF>& measured() const { return measured_; }
 
   bool isHeld() const { return held_; }

@@ -70,7 +70,7 @@ void CameraPage::showTaken(const QImage& picture, const QString& path) {
   path_->setText(path);
 }
 
-// The dialog is not modal, because STOP has to work meanwhile.
+// The dialog is not modal, because STOP has to work while it is open.
 void CameraPage::chooseFolder() {
   if (dialog_ != nullptr) {
     dialog_->raise();

@@ -24,7 +24,7 @@ class CameraPage : public Page {
   const QString& folder() const { return folder_; }
   void setFolder(const QString& folder);
 
-  /// Takes a picture and shows it when it comes.
+  /// Takes a picture, and shows the picture when it comes.
   void takePicture();
 
  Q_SIGNALS:

@@ -47,7 +47,7 @@ ConnectionBar::ConnectionBar(QWidget* parent)
       link_(new ElidedLabel(this)) {
   chooser_->setObjectName("driver");
   chooser_->setToolTip("The drivers that are running, by namespace");
-  constexpr int kShownLength = 10;  // characters; its list shows long names in full
+  constexpr int kShownLength = 10;  // in characters; the list shows long names in full
   chooser_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   chooser_->setMinimumContentsLength(kShownLength);
   new IgnoreWheel(chooser_);
@@ -83,7 +83,7 @@ void ConnectionBar::showConnection(const RobotConnection& connection) {
   if (is_other) {
     battery_->clear();
   }
-  battery_->setEnabled(connection.hasRobot());  // else it is the last one, which may say why the robot is gone
+  battery_->setEnabled(connection.hasRobot());  // without a robot: the last charge, which may say why it is gone
   if (!connection.hasRobot()) {
     link_->clear();
   }
@@ -95,7 +95,7 @@ void ConnectionBar::fillChooser() {
   if (!current_.isEmpty() && !entries.contains(current_)) {
     entries.prepend(current_);
   }
-  if (entries != std::exchange(entries_, entries)) {  // somebody may be choosing
+  if (entries != std::exchange(entries_, entries)) {  // unchanged entries stay, because somebody may be choosing
     chooser_->clear();
     chooser_->addItems(entries);
   }

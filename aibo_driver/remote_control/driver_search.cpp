@@ -30,13 +30,13 @@ std::optional<TopicTypes> askMaster() {
     }
     TopicTypes types;
     for (int i = 0; i < topics->size(); ++i) {
-      const XmlRpcValue& topic = (*topics)[i];  // a name and a type
+      const XmlRpcValue& topic = (*topics)[i];  // a topic's name and type
       types[topic[0]] = std::string(topic[1]);
     }
     return types;
   } catch (const node::NoAnswer&) {
     return std::nullopt;
-  } catch (const XmlRpc::XmlRpcException&) {  // what answers is no master
+  } catch (const XmlRpc::XmlRpcException&) {  // the program that answers is no master
     return std::nullopt;
   }
 }

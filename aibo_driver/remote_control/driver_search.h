@@ -12,7 +12,7 @@ namespace aibo_driver::remote_control {
 /// The topics that have publishers, and their types.
 using TopicTypes = std::map<std::string, std::string>;
 
-/// Asks the ROS master. It waits for the answer for 2 s at most.
+/// Asks the ROS master for its topics, and waits for the answer for 2 s at most.
 /// @return empty if the master does not answer
 std::optional<TopicTypes> askMaster();
 
@@ -20,8 +20,8 @@ std::optional<TopicTypes> askMaster();
 /// our type.
 std::vector<std::string> driversIn(const TopicTypes& types);
 
-/// The driver to try after the one in this namespace: the next of those found. The first one follows the last one.
-/// @param found as driversIn() gives them
+/// The driver to try after the one in this namespace: the next of those found. After the last one comes the first.
+/// @param found the namespaces that driversIn() has found
 /// @return the same namespace if no driver was found
 std::string driverAfter(const std::string& name_space, const std::vector<std::string>& found);
 

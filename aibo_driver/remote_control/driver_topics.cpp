@@ -28,15 +28,15 @@ namespace {
 
 using std::chrono::steady_clock;
 
-// The driver sends something once a second.
+// How long a driver may be silent. It sends something once a second.
 constexpr std::chrono::seconds kTimeToSpeak{5};
 constexpr std::chrono::seconds kHeardFor{3};
 
-// The joints of a robot of version 1 come one by one, and a short touch must not be missed.
+// How many messages are kept: the joints of a robot of version 1 come one by one, and no short touch must be missed.
 constexpr std::uint32_t kAllOfThem = 16;
 constexpr std::uint32_t kTheNewest = 1;
 
-// Reading a longer message would keep the window from clicks. A picture has 128 KB at most.
+// The longest message that is read, because reading delays clicks. A picture has 128 KB at most.
 constexpr std::size_t kMostBytes = 256 * 1024;
 constexpr std::size_t kMostJoints = 100;  // no robot has as many
 constexpr std::size_t kLevelsPerSecond = 10;
@@ -65,7 +65,7 @@ ros::Subscriber DriverTopics::subscribe(ros::NodeHandle& handle, const std::stri
                                         const std::function<void(const Message&)>& receive) {
   using Bounded = node::BoundedMessage<Message, kMostBytes>;
   const auto receive_bounded = [receive](const boost::shared_ptr<const Bounded>& bounded) {
-    if (bounded->skipped == 0) {  // otherwise no driver has sent it
+    if (bounded->skipped == 0) {  // no driver has sent a message that is longer
       receive(bounded->message);
     }
   };
@@ -136,7 +136,7 @@ void DriverTopics::receiveStates() {
   receiveAlways<LookAtResult>("look_at_result", [this](const LookAtResult& message) {
     const bool is_ours = asked_to_look_ && asked_to_look_->stamp == message.header.stamp &&
                          asked_to_look_->frame_id == message.header.frame_id;
-    if (is_ours) {  // otherwise it answers somebody else
+    if (is_ours) {  // a result for another node has another header
       Q_EMIT robot_.answered(message.success != 0, "look there: " + fromRos(message.message));
     }
   });
@@ -145,7 +145,7 @@ void DriverTopics::receiveStates() {
 void DriverTopics::receiveParts() {
   receiveWhileShown<sensor_msgs::CameraInfo>(Part::kPictures, handle_, "camera/camera_info", kTheNewest,
                                              [this](const sensor_msgs::CameraInfo& message) {
-                                               if (message.K[0] > 0 && message.K[4] > 0) {  // else not calibrated
+                                               if (message.K[0] > 0 && message.K[4] > 0) {  // otherwise not calibrated
                                                  camera_ = message;
                                                }
                                              });
@@ -209,7 +209,7 @@ void DriverTopics::hear() {
   }
 }
 
-// Movements that ended before this window listened are no news.
+// Shows failures among the movements that have ended. Those that ended before this window listened are not shown.
 void DriverTopics::complain(const std::vector<EndedMovement>& ended) {
   const auto before = std::exchange(ended_, ended);
   for (const EndedMovement& each : endedBetween(before.value_or(ended), ended)) {
@@ -228,13 +228,13 @@ void DriverTopics::receivePicture(const sensor_msgs::CompressedImage& message) {
         QImage(picture.pixels.data(), picture.width, picture.height, 3 * picture.width, QImage::Format_RGB888)
             .rgbSwapped());
   } catch (const camera::DecodeException&) {
-    // The driver's diagnostics count these pictures.
+    // A damaged picture is ignored here, because the driver's diagnostics count it.
   }
 }
 
 void DriverTopics::receiveJoints(const sensor_msgs::JointState& message) {
   if (positions_.size() > static_cast<int>(kMostJoints)) {
-    positions_.clear();  // somebody makes names up
+    positions_.clear();  // somebody invents names of joints
   }
   for (std::size_t i = 0; i < std::min({message.name.size(), message.position.size(), kMostJoints}); ++i) {
     positions_[fromRos(message.name[i])] = message.position[i];
@@ -268,7 +268,7 @@ bool DriverTopics::wasHeard() const {
   return last_heard_ != steady_clock::time_point();
 }
 
-// In a recording, this would be the place of a driver that runs now.
+// The settings' namespace is not used in a playback, where it could be that of a driver that runs now.
 std::string DriverTopics::settings() const {
   const aibo_driver::Connection::ConstPtr message = connection();
   std::string problem;

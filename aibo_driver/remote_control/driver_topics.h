@@ -29,9 +29,9 @@
 
 namespace aibo_driver::remote_control {
 
-/// A queue whose callbacks run on the thread that made it, the window's: all that have come at once, and then none for
-/// some time. Without this pause, a flood of messages would keep the window from clicks, because Qt handles events that
-/// are posted again and again first. roscpp keeps the newest messages meanwhile.
+/// A queue whose callbacks run on the thread that made it, which is the window's. All callbacks that have come run at
+/// once, and then none for some time. Without this pause, a flood of messages would delay clicks, because Qt first
+/// handles events that are posted again and again. During the pause, roscpp keeps the newest messages.
 class WindowQueue : public ros::CallbackQueue {
  public:
   /// @param pause the callbacks wait for this time at most
@@ -40,18 +40,18 @@ class WindowQueue : public ros::CallbackQueue {
 
  private:
   QTimer timer_;
-  std::atomic<bool> is_due_{false};  ///< the timer runs, or is about to
+  std::atomic<bool> is_due_{false};  ///< the timer runs, or is about to run
 };
 
-/// The topics of one driver. It emits the robot's signals for the driver's messages, and sends messages for what the
-/// user wants.
+/// The topics of one driver. The class turns the driver's messages into signals of the robot, and sends messages for
+/// what the user wants.
 ///
-/// One thread must make and change it. That thread may wait for the ROS master. All other functions wait for nothing.
-/// Messages come on the window's thread, which also calls the publishing functions.
+/// Only one thread may make and change an object, and that thread may wait for the ROS master. All other functions wait
+/// for nothing. Messages come on the window's thread, which also calls the publishing functions.
 class DriverTopics {
  public:
   /// @param name_space the driver's namespace
-  /// @param queue, measurements get the callbacks; both must outlive this object
+  /// @param queue, measurements get the callbacks; both must outlive the object
   /// @param robot emits the signals
   /// @param connection_changed called when connection() or isHeard() may have changed
   DriverTopics(const std::string& name_space, WindowQueue* queue, WindowQueue* measurements, Robot& robot,
@@ -63,19 +63,19 @@ class DriverTopics {
   /// The newest message about the connection. It is null if there was none.
   aibo_driver::Connection::ConstPtr connection() const;
 
-  /// Whether this object was made in the last seconds, so that the driver need not have been heard yet.
+  /// True if this object was made in the last seconds, so that the driver need not have been heard yet.
   bool areNew() const;
 
-  /// Whether the driver was heard in the last seconds. The driver sends something once a second.
+  /// True if the driver was heard in the last seconds. The driver sends something once a second.
   bool isHeard() const;
 
-  /// Whether the driver was ever heard.
+  /// True if the driver was ever heard.
   bool wasHeard() const;
 
-  /// Where the driver has its settings (dynamic_reconfigure). It is empty while this is not known.
+  /// The namespace of the driver's settings (dynamic_reconfigure). It is empty while it is not known.
   std::string settings() const;
 
-  /// Stops the robot, also while the ROS master does not answer.
+  /// The client that stops the robot, also while the ROS master does not answer.
   node::StopClient& stopClient() { return stop_client_; }
 
   void publishLeds(const QStringList& names, double intensity) const;
@@ -121,19 +121,19 @@ class DriverTopics {
   aibo_driver::Connection::ConstPtr connection_;      // guarded by mutex_
   std::chrono::steady_clock::time_point last_heard_;  // guarded by mutex_
 
-  // The window's thread uses these members.
+  // Members that only the window's thread uses.
   std::optional<sensor_msgs::CameraInfo> camera_;    ///< the newest calibration
   ros::Time picture_stamp_;                          ///< the stamp of the newest picture
-  std::optional<std_msgs::Header> asked_to_look_;    ///< that of the last point on look_at; its result has it, too
+  std::optional<std_msgs::Header> asked_to_look_;    ///< the header of the last point, and of its result
   std::optional<std::vector<EndedMovement>> ended_;  ///< the movements that had ended in the newest motion_state
-  JointPositions positions_;                         ///< of all joints that were measured
-  sound::Level level_;                               ///< of what was heard since it was shown last
+  JointPositions positions_;                         ///< the positions of all joints that were measured
+  sound::Level level_;                               ///< the level of what was heard since it was shown last
 
-  // The thread that made this object uses these members. They are last, because callbacks use all members above.
-  std::map<Part, std::vector<std::function<ros::Subscriber()>>> sources_;  ///< what a part needs
+  // Members that only the thread that made this object uses. They are last, because callbacks use all members above.
+  std::map<Part, std::vector<std::function<ros::Subscriber()>>> sources_;  ///< what each part needs
   std::vector<ros::Subscriber> always_;
   std::map<Part, std::vector<ros::Subscriber>> shown_;
-  std::string followed_;  ///< the settings that are followed
+  std::string followed_;  ///< the namespace of the settings that are followed
   std::vector<ros::Subscriber> settings_;
 };
 

@@ -56,7 +56,7 @@ JointSlider::JointSlider(const movement::JointProperties& joint, const QString& 
       text_(new QLabel(this)) {
   setObjectName(joint_);
   slider_->setRange(toSteps(joint.lowest), toSteps(joint.highest));
-  slider_->setEnabled(false);  // until we know where the joint is
+  slider_->setEnabled(false);  // until the joint's position is known
   slider_->setPageStep(toSteps(0.1));
   slider_->setSingleStep(toSteps(0.02));
   setToolTip(QString::fromUtf8("%1: %2\u00B0 to %3\u00B0. The green mark is where it is measured.")
@@ -114,12 +114,12 @@ void JointSlider::forget() {
   commanded_.reset();
   slider_->setEnabled(false);
   const QSignalBlocker nobody_moved_it(slider_);
-  slider_->setValue(0);  // as before the first measurement
+  slider_->setValue(0);  // the same as before the first measurement
   slider_->setMark(std::nullopt);
   showText();
 }
 
-// While the joint is moving to a target, the text shows the target. Otherwise it shows where the joint is.
+// Shows the target while the joint is moving to one, and the joint's position at all other times.
 void JointSlider::showText() {
   const QString text = commanded_  ? QString::fromUtf8("\u2192%1\u00B0").arg(degrees(*commanded_))
                        : measured_ ? QString::fromUtf8("%1\u00B0").arg(degrees(*measured_))

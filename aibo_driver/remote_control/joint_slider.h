@@ -28,19 +28,18 @@ class MarkedSlider : public QSlider {
   std::optional<int> mark_;
 };
 
-/// One joint. It has a slider that commands the joint, and shows the joint's limits and position. The slider follows
-/// its joint, unless somebody holds the slider. After that it waits until the joint has arrived or some time has
-/// passed.
+/// One joint, with a slider that commands it and shows its limits and position. The slider follows the joint, unless
+/// somebody holds the slider. When it is released, it waits until the joint has arrived or some time has passed.
 class JointSlider : public QWidget {
   Q_OBJECT
 
  public:
-  /// @param label the joint's name for people
+  /// @param label the joint's name to show
   JointSlider(const movement::JointProperties& joint, const QString& label, QWidget* parent = nullptr);
 
   const QString& joint() const { return joint_; }
 
-  /// @param position rad
+  /// @param position the measured position in rad
   void measure(double position);
 
   /// Returns to the state before the first measurement.
@@ -50,7 +49,7 @@ class JointSlider : public QWidget {
 
  Q_SIGNALS:
   /// Emitted when somebody has moved the slider.
-  /// @param position rad
+  /// @param position the position in rad
   void moved(const QString& joint, double position);
 
  private:

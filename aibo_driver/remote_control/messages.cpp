@@ -14,7 +14,7 @@ using dynamic_reconfigure::Config;
 constexpr std::size_t kLongestText = 1000;  // bytes
 constexpr int kLongestName = 200;           // characters
 
-// More than a driver has; each is a row of the form, and its choices are searched by a regular expression.
+// More settings than a driver has. Each is a row of the form, and a regular expression searches its choices.
 constexpr int kMostSettings = 100;
 constexpr std::size_t kLongestEditMethod = 4096;  // bytes
 
@@ -119,7 +119,7 @@ QStringList touchedPlacesIn(const Touch& message) {
   return touched;
 }
 
-// The old list has lost some entries at its beginning and got some at its end.
+// The list `now` is the list `before` without some entries at its beginning, and with new ones at its end.
 std::vector<EndedMovement> endedBetween(const std::vector<EndedMovement>& before,
                                         const std::vector<EndedMovement>& now) {
   for (auto first = before.begin(); first != before.end(); ++first) {

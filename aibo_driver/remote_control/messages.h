@@ -26,8 +26,8 @@ RobotCondition conditionIn(const RobotState& message);
 /// The places that are touched.
 QStringList touchedPlacesIn(const Touch& message);
 
-/// The movements that have ended between two messages of motion_state. Each message lists the latest ones; the newest
-/// is last.
+/// The movements that have ended between two messages of motion_state. Each message lists the latest movements, with
+/// the newest last.
 std::vector<EndedMovement> endedBetween(const std::vector<EndedMovement>& before,
                                         const std::vector<EndedMovement>& now);
 

@@ -79,9 +79,9 @@ void MotionPage::showMotions(const QStringList& names) {
   list_->addItems(names);
 }
 
-// The robot is asked once for each connection.
+// Asks the robot for its motions once for each connection.
 void MotionPage::connectionChanged(const RobotConnection& connection) {
-  movement_->setVisible(connection.hasRobot());  // it may have come before the connection
+  movement_->setVisible(connection.hasRobot());  // the movement may have come before the connection
   const QString robot = connection.isConnected() && connection.protocol_version == 2
                             ? connection.name_space + connection.address
                             : QString();

@@ -15,7 +15,7 @@
 namespace aibo_driver::remote_control {
 namespace {
 
-// The velocities at the edges, as in config/joy.yaml. The driver and the robot have limits of their own.
+// The velocities at the edges of a pad, as in config/joy.yaml. The driver and the robot have limits of their own.
 constexpr double kForward = 0.15;  // m/s
 constexpr double kLeft = 0.06;     // m/s
 constexpr double kTurn = 1.0;      // rad/s
@@ -28,9 +28,9 @@ double withoutDeadZone(double deflection) {
   return std::abs(deflection) < kDeadZone ? 0 : deflection;
 }
 
-/// A pad that makes the robot walk while a mouse button is held on it. Up and down walk forward and backward. With the
-/// left button, the sides turn; with another button, they step sideways. Releasing the button works like a dead-man's
-/// switch: the robot gets one order to stop, and then nothing more.
+/// A pad that makes the robot walk while a mouse button is held on it. Up and down walk forward and backward. To the
+/// sides, the robot turns if the left button is held, and steps sideways with another button. The button works like a
+/// dead-man's switch: when it is released, the robot gets one order to stop, and then nothing more.
 class DrivePad : public AxisPad {
  public:
   DrivePad(Robot& robot, QWidget* parent);
@@ -69,7 +69,7 @@ void DrivePad::send() {
 constexpr const char* kPan = "head_pan";
 constexpr const char* kTilt = "head_tilt";
 
-/// -1 is the lowest position, 1 is the highest.
+/// Converts a position: -1 is the lowest, 1 is the highest.
 double toPad(double position, const movement::JointProperties& joint) {
   return 2 * (position - joint.lowest) / (joint.highest - joint.lowest) - 1;
 }
@@ -78,13 +78,13 @@ double fromPad(double place, const movement::JointProperties& joint) {
   return joint.lowest + (place + 1) / 2 * (joint.highest - joint.lowest);
 }
 
-/// A pad that points the head: to the sides with head_pan, up and down with head_tilt. Its mark shows where the head
-/// is.
+/// A pad that points the head: to the sides with head_pan, up and down with head_tilt. The pad's mark shows where the
+/// head is.
 class HeadPad : public AxisPad {
  public:
   HeadPad(Robot& robot, QWidget* parent);
 
-  /// Uses the limits of this robot. It does nothing if the robot is not known.
+  /// Uses the limits of the robot with this design. An unknown design is ignored.
   void setDesign(const QString& design);
 
   void showPositions(const JointPositions& positions);
@@ -99,7 +99,7 @@ HeadPad::HeadPad(Robot& robot, QWidget* parent) : AxisPad(parent) {
   setToolTip("Points the head. The green mark is where it is.");
   setTexts("up", "down", "left", "right");
   setDesign("ERS-7");
-  // The robot counts angles to the left as positive.
+  // The x axis is turned around, because the robot counts angles to the left as positive.
   connect(this, &AxisPad::moved, this, [this, &robot](const QPointF& place) {
     robot.moveJoints({{kPan, fromPad(-place.x(), pan_)}, {kTilt, fromPad(place.y(), tilt_)}});
   });
@@ -115,7 +115,7 @@ void HeadPad::setDesign(const QString& design) {
       tilt_ = table[*tilt];
     }
   } catch (const aibo_client::InvalidArgumentException&) {
-    // The driver refuses commands to such a robot.
+    // The driver refuses commands to a robot of an unknown design.
   }
 }
 
@@ -175,7 +175,7 @@ MovePage::MovePage(Robot& robot, QWidget* parent)
       "Walks end before edges and walls. Backward and sideways, where it cannot see, the robot walks only where it has "
       "just walked.");
   guard_->setFixedHeight(movement_->minimumHeight());
-  guard_->hide();  // until the driver has said whether it is on
+  guard_->hide();  // until the driver has said whether the guard is on
   auto* who_moves = new QHBoxLayout;
   who_moves->addWidget(movement_, 1);
   who_moves->addWidget(need(Needs::kVersion2, guard_));
@@ -188,7 +188,7 @@ MovePage::MovePage(Robot& robot, QWidget* parent)
     }
   });
   connect(guard_, &QCheckBox::clicked, &robot, [this, &robot](bool on) {
-    guard_->setChecked(!on);  // it shows what the driver reports
+    guard_->setChecked(!on);  // the box shows what the driver reports
     robot.changeSetting("guard", on);
   });
   connect(&robot, &Robot::settingsChanged, this, [this](const SettingValues& values) {
@@ -196,13 +196,13 @@ MovePage::MovePage(Robot& robot, QWidget* parent)
     guard_->setChecked(values.value("guard").toBool());
   });
   connect(&robot, &Robot::movementChanged, this, [this](const QString& text) {
-    movement_->showText(text.section(';', 0, 0));  // without what has ended
+    movement_->showText(text.section(';', 0, 0));  // without the movements that have ended
     movement_->setToolTip(text);
   });
 }
 
 void MovePage::connectionChanged(const RobotConnection& connection) {
-  movement_->setVisible(connection.hasRobot());  // its text may have come before the connection
+  movement_->setVisible(connection.hasRobot());  // the text may have come before the connection
   if (connection.hasRobot()) {
     head_pad_->setDesign(connection.robot);
   } else {

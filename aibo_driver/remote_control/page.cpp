@@ -58,7 +58,7 @@ void Page::setState(const RobotConnection& connection, const RobotCondition& con
 QWidget* Page::makeContent() {
   auto* content = new QWidget;
   setWidget(content);
-  content->setAutoFillBackground(false);  // it shows the window's background
+  content->setAutoFillBackground(false);  // so that the content shows the window's background
   return content;
 }
 

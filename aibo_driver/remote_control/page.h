@@ -13,8 +13,8 @@
 
 namespace aibo_driver::remote_control {
 
-/// What a part of the window needs from the robot. Each need includes those above it, but kMotors does not need a
-/// server of version 2.
+/// What a part of the window needs from the robot. Each need includes the needs above it, except that kMotors does not
+/// need a server of version 2.
 enum class Needs {
   kConnection,
   kVersion2,    ///< a server of version 2
@@ -23,11 +23,11 @@ enum class Needs {
   kFeet         ///< the robot must stand on its feet
 };
 
-/// Why the robot cannot do something now. It is empty if the robot can do it, or if nobody knows.
+/// Why the robot cannot do something now; empty if it can, or if nobody knows.
 QString whyNot(Needs needs, const RobotConnection& connection, const RobotCondition& condition);
 
-/// Enables a widget, or disables it and says why in its tooltip. When the widget is enabled, its own tooltip comes
-/// back.
+/// Enables a widget, or disables it and says why in its tooltip. When the widget is enabled again, its own tooltip
+/// comes back.
 /// @param why_not the reason; empty enables the widget
 void allow(QWidget* widget, const QString& why_not);
 
@@ -37,8 +37,8 @@ constexpr const char* kOwnToolTip = "own_tool_tip";
 /// A text field with this property takes spaces after its first letter. In all others, the space bar stops the robot.
 constexpr const char* kTakesSpaces = "takes_spaces";
 
-/// A part of the window. Each of its widgets can be used while the robot can do what the widget is for. It scrolls if
-/// it needs more room than it has, so nothing on it changes the size of anything else.
+/// A part of the window. Each of its widgets can be used while the robot can do what the widget is for. A page scrolls
+/// if it needs more room than it has, so that nothing on it changes the size of anything else.
 class Page : public QScrollArea {
   Q_OBJECT
 
@@ -48,14 +48,14 @@ class Page : public QScrollArea {
   /// The part of the robot's data that this page shows. It may change with visibilityChanged().
   virtual std::optional<Part> part() const { return std::nullopt; }
 
-  /// Enables its widgets, or disables them and says why.
+  /// Enables the widgets, or disables them and says why.
   void setState(const RobotConnection& connection, const RobotCondition& condition);
 
  Q_SIGNALS:
   void visibilityChanged();
 
  protected:
-  /// What was measured before the robot was lost may come later.
+  /// True while there is a robot. Measurements from before the robot was lost may come later.
   bool hasRobot() const { return has_robot_; }
 
   /// Adds a widget that can be used only while the robot meets this need.
@@ -66,7 +66,7 @@ class Page : public QScrollArea {
     return widget;
   }
 
-  /// Makes a widget for everything on the page. It replaces the previous one.
+  /// Makes a widget for everything on the page, in place of the previous one.
   QWidget* makeContent();
 
   QPushButton* makeButton(Needs needs, const QString& text, const QString& tip, const std::function<void()>& clicked);
@@ -84,7 +84,7 @@ class Page : public QScrollArea {
   bool has_robot_ = false;
 };
 
-// These functions make the pages. The robot must outlive them. See docs/remote_control.md.
+// The functions below make the pages (docs/remote_control.md). The robot must outlive the pages.
 Page* makeMovePage(Robot& robot, QWidget* parent);     ///< walking, the head, postures and the motors
 Page* makeMotionPage(Robot& robot, QWidget* parent);   ///< the motions on the robot, and what moves it now
 Page* makeJointsPage(Robot& robot, QWidget* parent);   ///< a slider for each joint

@@ -44,13 +44,13 @@ Panel::Panel(QWidget* parent) : rviz::Panel(parent), window_(new RemoteControl(r
   connect(window_, &RemoteControl::changed, this, &rviz::Panel::configChanged);
 }
 
-// The window uses the robot until its end. ~QWidget would delete the window too late, because the robot is gone by
-// then.
+// Deletes the window, which uses the robot until its end. ~QWidget would do this too late, when the robot no longer
+// exists.
 Panel::~Panel() {
   delete window_;
 }
 
-// rviz opens with the size in its configuration, even if the screen is smaller.
+// Limits the size, because rviz opens with the size in its configuration even if the screen is smaller.
 void Panel::onInitialize() {
   QTimer::singleShot(0, this, [this] {
     const QSize decoration = window()->frameGeometry().size() - window()->size();
@@ -64,7 +64,7 @@ void Panel::onInitialize() {
 
 void Panel::load(const rviz::Config& config) {
   rviz::Panel::load(config);
-  const QString name_space = QString::fromStdString(ros::this_node::getNamespace());  // that of rviz
+  const QString name_space = QString::fromStdString(ros::this_node::getNamespace());  // rviz' namespace
   QString text = name_space == "/" ? "" : name_space;
   config.mapGetString(kNamespace, &text);
   window_->useDriver(text);

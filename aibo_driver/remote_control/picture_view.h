@@ -7,7 +7,7 @@
 
 namespace aibo_driver::remote_control {
 
-/// Shows the live picture as large as there is room for it.
+/// Shows the live picture as large as the room allows.
 class PictureView : public QWidget {
   Q_OBJECT
 
@@ -25,7 +25,7 @@ class PictureView : public QWidget {
 
  Q_SIGNALS:
   /// Emitted when somebody has clicked on the picture.
-  /// @param place 0..1 from left to right, and from top to bottom
+  /// @param place the place, 0..1 from left to right and from top to bottom
   void clicked(const QPointF& place);
 
   /// Emitted when the view has appeared or disappeared.

@@ -19,10 +19,10 @@ namespace aibo_driver::remote_control {
 namespace {
 
 constexpr int kLongestAnswer = 1000;  // characters; laying out megabytes would delay STOP
-// A frightened user clicks more than once, and must not release what has just been stopped.
+// How long the button does not release: a frightened user clicks more than once, and must not undo the stop.
 constexpr qint64 kNoReleaseFor = 1000;  // ms
 
-/// Leaves less room around the titles of tabs, so that all of them are visible in rviz on a small screen.
+/// A style with less room around the titles of tabs, so that all titles are visible in rviz on a small screen.
 class NarrowTabs : public QProxyStyle {
  public:
   int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
@@ -96,8 +96,8 @@ RemoteControl::RemoteControl(Robot& robot, QWidget* parent)
   showConnection(unknown);
 }
 
-// The parts of the window tell it when they are hidden. ~QWidget would hide them too late, because its members are gone
-// by then.
+// Hides the parts of the window, which tell the window when they are hidden. ~QWidget would hide them too late, when
+// the window's members no longer exist.
 RemoteControl::~RemoteControl() {
   hide();
 }
@@ -118,7 +118,7 @@ QLayout* RemoteControl::makeTopRow() {
   take_button_->setToolTip("Takes a fresh picture and saves it in the folder of the page Camera");
   stream_button_ = new QPushButton(this);
   stream_button_->setObjectName("stream");
-  stream_button_->setText("Start stream");  // the longer of its two texts
+  stream_button_->setText("Start stream");  // the longer of the button's two texts
   stream_button_->setMinimumWidth(stream_button_->sizeHint().width());
   auto* texts = new QVBoxLayout;
   texts->setSpacing(0);
@@ -137,7 +137,7 @@ QWidget* RemoteControl::makePages() {
   auto* style = new NarrowTabs;
   style->setParent(tabs);
   tabs->tabBar()->setStyle(style);
-  tabs->setUsesScrollButtons(false);  // they would hide titles
+  tabs->setUsesScrollButtons(false);  // buttons to scroll would hide titles
   const std::pair<const char*, Page*> pages[] = {
       {"Move", makeMovePage(robot_, this)},      {"Camera", camera_page_},
       {"Motions", makeMotionPage(robot_, this)}, {"Joints", makeJointsPage(robot_, this)},
@@ -169,7 +169,7 @@ void RemoteControl::connectSignals() {
   });
   connect(&robot_, &Robot::settingsDescribed, this, &RemoteControl::keepSpaceBar);
   connect(&robot_, &Robot::driversFound, connection_bar_, &ConnectionBar::showDrivers);
-  // What was measured before the robot was lost may come later.
+  // A measurement from before the robot was lost may come later.
   connect(&robot_, &Robot::batteryMeasured, connection_bar_, [this](double charge, double temperature) {
     if (connection_.hasRobot()) {
       connection_bar_->showBattery(charge, temperature);
@@ -188,8 +188,8 @@ void RemoteControl::connectSignals() {
   connect(&robot_, &Robot::answered, this, &RemoteControl::showAnswer);
 }
 
-// A text field would use the space bar itself. So would the list of a combo box, which is a window of its own. A field
-// for sentences has to take spaces; there, the Escape key stops the robot.
+// A text field would take the space bar for itself, and so would the list of a combo box, which is a window of its own.
+// A field for sentences has to take spaces, but there the Escape key stops the robot.
 void RemoteControl::keepSpaceBar() {
   for (QLineEdit* edit : findChildren<QLineEdit*>()) {
     edit->installEventFilter(this);
@@ -210,9 +210,9 @@ bool RemoteControl::eventFilter(QObject* watched, QEvent* event) {
     return QWidget::eventFilter(watched, event);
   }
   if (event->type() == QEvent::ShortcutOverride) {
-    event->ignore();  // then it works as a shortcut
+    event->ignore();  // so that the key works as a shortcut
   } else if (!static_cast<QKeyEvent*>(event)->isAutoRepeat()) {
-    stop();  // the shortcut does not work in another window
+    stop();  // in another window, the shortcut does not work
   }
   return true;
 }
@@ -263,7 +263,7 @@ void RemoteControl::showCondition(const RobotCondition& condition) {
   showStopButton();
 }
 
-// What a driver said before it fell silent may not be true any more. Somebody may then want to stop the robot.
+// What a driver said before it fell silent may not be true any more. So somebody may want to stop the robot.
 bool RemoteControl::isStopped() const {
   return condition_.is_stopped && connection_.hasDriver();
 }

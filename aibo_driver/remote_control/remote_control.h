@@ -16,8 +16,8 @@
 
 namespace aibo_driver::remote_control {
 
-/// The whole window: STOP, the last answer, the connection, the live picture and the pages. It shows only what the
-/// robot reports, never what was clicked.
+/// The whole window: STOP, the last answer, the connection, the live picture and the pages. The window shows only what
+/// the robot reports, never what was clicked.
 ///
 /// STOP must not move while somebody moves the mouse to it. So it is in the top left corner, and nothing above the
 /// pages changes its size.
@@ -29,7 +29,7 @@ class RemoteControl : public QWidget {
   explicit RemoteControl(Robot& robot, QWidget* parent = nullptr);
   ~RemoteControl() override;
 
-  /// These values are kept from one start to the next. An empty namespace means the first driver that is found.
+  /// Values that are kept from one start to the next. An empty namespace means the first driver that is found.
   void useDriver(const QString& name_space);
   QString driver() const { return driver_; }
   void setFolder(const QString& folder) { camera_page_->setFolder(folder); }
@@ -59,7 +59,7 @@ class RemoteControl : public QWidget {
   void showAnswer(bool is_fine, const QString& text);
 
   Robot& robot_;
-  QString driver_;  ///< as the user has chosen it
+  QString driver_;  ///< the driver that the user has chosen
   RobotConnection connection_;
   RobotCondition condition_;
   QElapsedTimer stopped_since_;  ///< how long the button has meant Release

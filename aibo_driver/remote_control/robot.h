@@ -18,7 +18,7 @@ namespace aibo_driver::remote_control {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// rad/s, for a command that must have a speed. The driver limits it.
+/// In rad/s: a speed for commands that must have one. The driver limits it.
 constexpr double kAnySpeed = 20;
 
 /// The connection from this window to the robot.
@@ -38,14 +38,14 @@ struct RobotConnection {
   QString robot;               ///< the robot's design, such as "ERS-7"; empty while unknown
   QString address;             ///< host:port; empty while unknown
   int protocol_version = 0;    ///< 0 while not connected
-  bool master_answers = true;  ///< without the ROS master, no more programs find each other; those that have go on
+  bool master_answers = true;  ///< without the ROS master, programs cannot find each other; those that have go on
   QString text;                ///< all of this in one line, for people
 
   bool hasDriver() const { return state != State::kNoMaster && state != State::kNoDriver && state != State::kWaiting; }
   bool isConnected() const { return state == State::kConnected; }
   bool isPlayback() const { return state == State::kPlayback; }
 
-  /// Whether what is heard is about a robot, now or when it was recorded.
+  /// True if the messages are about a robot, now or when they were recorded.
   bool hasRobot() const { return isConnected() || isPlayback(); }
 };
 
@@ -72,7 +72,7 @@ struct Setting {
   QString name;  ///< the name of the parameter
   QString description;
   QVariant lowest;                            ///< an int or a double
-  QVariant highest;                           ///< the same
+  QVariant highest;                           ///< of the same type as `lowest`
   QVector<QPair<QString, QVariant>> choices;  ///< texts and values; empty for a number
 };
 
@@ -83,19 +83,19 @@ struct Distance {
   double farthest = 1;  ///< m, the farthest distance that it can measure
 };
 
-/// Parts of the robot's data that are received only while somebody looks at them, to save processor time. The robot's
-/// microphones are open only while somebody listens.
+/// Parts of the robot's data that are received only while somebody looks at them, which saves processor time. The
+/// robot's microphones are open only while somebody listens.
 enum class Part { kPictures, kJoints, kSensors, kMicrophones };
 
 using JointPositions = QMap<QString, double>;  ///< rad, by the joint's name
 using SettingValues = QMap<QString, QVariant>;
 using LedIntensities = QMap<QString, double>;  ///< 0..1, by the LED's name
 
-/// The robot, as the window sees it. What is known about the robot comes as signals. Functions tell it what to do.
+/// The robot, as the window sees it. What is known about the robot comes as signals. Its functions tell it what to do.
 ///
-/// No function waits. Its effect shows in the signals; the answer of a service comes with answered(). All signals come
-/// on the thread of the object, which is the window's. A wish that cannot be fulfilled, for example because there is no
-/// connection, gets an answer, too.
+/// No function waits. The effect of a function shows in the signals, and the answer of a service comes with answered().
+/// All signals come on the thread of the object, which is the window's. A wish that cannot be fulfilled, for example
+/// because there is no connection, gets an answer, too.
 class Robot : public QObject {
   Q_OBJECT
 
@@ -106,7 +106,7 @@ class Robot : public QObject {
   /// @param name_space such as "/aibo"; empty means the first driver that is found
   virtual void useDriver(const QString& name_space) = 0;
 
-  /// Says which parts somebody looks at. At first these are none.
+  /// Says which parts somebody looks at. At first, nobody looks at any.
   virtual void show(const std::set<Part>& parts) = 0;
 
   /// Immediately stops everything that moves, and holds it until release() or rest. It waits for no other call.
@@ -115,7 +115,7 @@ class Robot : public QObject {
   /// Lets the robot move again after a stop.
   virtual void release() = 0;
 
-  /// @param folder the picture is saved in this folder on this machine
+  /// @param folder the folder on this machine in which the picture is saved
   virtual void takePicture(const QString& folder) = 0;
   virtual void setStreaming(bool on) = 0;
   virtual void setMotors(bool on) = 0;
@@ -131,7 +131,7 @@ class Robot : public QObject {
   virtual void stopMotions() = 0;
   virtual void changeSetting(const QString& name, const QVariant& value) = 0;
 
-  /// @param names LEDs or groups
+  /// @param names names of LEDs or groups
   /// @param intensity 0..1
   virtual void setLeds(const QStringList& names, double intensity) = 0;
   virtual void flickEars(bool left, bool right) = 0;
@@ -143,14 +143,14 @@ class Robot : public QObject {
   /// Ends the speech or other sound that plays.
   virtual void stopSound() = 0;
 
-  /// Repeat this several times a second. The robot stops soon after the last call.
+  /// Makes the robot walk. Call this several times a second, because the robot stops soon after the last call.
   /// @param forward m/s
   /// @param left m/s
   /// @param turn rad/s, counterclockwise
   virtual void walk(double forward, double left, double turn) = 0;
 
   /// Turns the head so that this place of the newest picture moves to its middle.
-  /// @param place 0..1 from left to right, and from top to bottom
+  /// @param place the place, 0..1 from left to right and from top to bottom
   virtual void lookAt(const QPointF& place) = 0;
 
  Q_SIGNALS:
@@ -181,16 +181,16 @@ class Robot : public QObject {
   void touched(const QStringList& places);
   void distanceMeasured(const aibo_driver::remote_control::Distance& distance);
 
-  /// @param level of what was heard lately, in dB; 0 is as loud as can be
+  /// @param level the level of what was heard lately, in dB; 0 is the loudest
   void heard(double level);
   void ledsChanged(const aibo_driver::remote_control::LedIntensities& intensities);
 
-  /// Emitted when the robot refuses something that this window moves, such as a walk over an edge. Nothing is broken.
-  /// @param text what it refuses, and why
+  /// Emitted when the robot refuses something that this window moves, such as a walk over an edge. This is no error.
+  /// @param text what the robot refuses, and why
   void hinted(const QString& text);
 
   /// Emitted when a call has ended or was refused, or when something that this window moves did not arrive.
-  /// @param text what was asked, and its result
+  /// @param text what was asked for, and its result
   void answered(bool success, const QString& text);
 };
 

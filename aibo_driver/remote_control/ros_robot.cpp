@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kSearchPeriod{2000};
 
-/// Saves a JPEG. The time is part of the file's name.
+/// Saves a JPEG, with the time in the file's name.
 /// @return the path of the file
 /// @throw std::runtime_error the picture was not saved; the message says why
 QString savePicture(const std::vector<std::uint8_t>& jpeg, const QString& folder) {
@@ -71,7 +71,7 @@ QString noAnswerText(const std::string& service) {
 
 RosRobot::RosRobot(QObject* parent) : Robot(parent) {
   connection_.text = "no driver has been found yet";
-  manager_ = std::thread(&RosRobot::manageTopics, this);  // uses all members above
+  manager_ = std::thread(&RosRobot::manageTopics, this);  // last, because the thread uses all members above
 }
 
 RosRobot::~RosRobot() {
@@ -81,7 +81,7 @@ RosRobot::~RosRobot() {
   topics_.reset();  // the topics must end before their queues
 }
 
-// The following functions run on the thread that asks the master.
+// The functions below run on the thread that asks the master.
 
 void RosRobot::wish(const std::function<void(Wishes&)>& change) {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -114,7 +114,7 @@ void RosRobot::manageTopics() {
     changed_.wait_until(lock, next_search, [this, &wishes] { return connection_changed_ || !(wishes_ == wishes); });
     connection_changed_ = false;
     if (!(wishes_ == wishes)) {
-      next_search = {};  // roscpp would wait for a master that has fallen silent meanwhile
+      next_search = {};  // the master has fallen silent meanwhile, and roscpp would wait for it
     }
     wishes = wishes_;
   }
@@ -141,7 +141,7 @@ void RosRobot::search() {
   }
 }
 
-// The reports of the old driver are not true of the new one, which may never replace them.
+// Forgets what the old driver has reported, which is not true of the new one and might never be replaced.
 void RosRobot::forgetDriver(const std::string& next) {
   RobotConnection waits;
   waits.state = RobotConnection::State::kWaiting;
@@ -164,11 +164,11 @@ void RosRobot::useTopicsOf(const std::string& name_space) {
     const std::lock_guard<std::mutex> lock(mutex_);
     old = std::exchange(topics_, nullptr);
   }
-  // The window may just be publishing. It must not be the last owner, because unsubscribing may wait for the master.
+  // The window may just be publishing. It must not be the last owner, or it might have to wait for the master.
   while (old.use_count() > 1) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  old.reset();  // this waits for its callbacks; from now on none comes
+  old.reset();  // waits for the topics' callbacks, of which none comes from now on
   forgetDriver(name_space);
   const auto made = std::make_shared<DriverTopics>(name_space, &queue_, &measurements_, *this, [this] {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -217,7 +217,7 @@ void RosRobot::report(const RobotConnection& now) {
   }
 }
 
-// The following functions carry out the user's wishes.
+// The functions below carry out the user's wishes.
 
 void RosRobot::post(const std::function<void(Robot&)>& work) {
   QMetaObject::invokeMethod(
@@ -264,7 +264,7 @@ void RosRobot::call(const QString& request, const std::string& service, const ty
     } else if constexpr (std::is_same_v<Service, dynamic_reconfigure::Reconfigure>) {
       also(*response);
     } else {
-      // The window asks for the motions by itself and shows them. That must not hide the answer to the user's request.
+      // An answer is shown only if the request failed, because it must not hide the answer to the user's own request.
       const bool success = response->success != 0;
       if (!std::is_same_v<Service, ListMotions> || !success) {
         answer(success, request + ": " + fromRos(response->message));
@@ -405,7 +405,7 @@ void RosRobot::stopSound() {
   call<PlaySound>("stop sound", "play_sound", arguments);
 }
 
-// The end of a walk is always sent. A failure to send it is not reported.
+// Sends a velocity, always also the one that ends a walk. A failure to send it is not reported.
 void RosRobot::walk(double forward, double left, double turn) {
   const bool is_end = forward == 0 && left == 0 && turn == 0;
   if (const auto used = is_end ? topics() : topicsForCommand("walk")) {

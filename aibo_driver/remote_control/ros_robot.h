@@ -25,7 +25,7 @@ class RosRobot : public Robot {
   Q_OBJECT
 
  public:
-  /// Call ros::init() before. ros::start() is called when the ROS master answers.
+  /// Call ros::init() before this. ros::start() is called when the ROS master answers.
   explicit RosRobot(QObject* parent = nullptr);
 
   /// Ends the calls that are still running.
@@ -75,24 +75,24 @@ class RosRobot : public Robot {
   std::shared_ptr<DriverTopics> topicsForCommand(const QString& request);
   std::shared_ptr<DriverTopics> topics() const;
 
-  /// @param request what was asked for, in words
+  /// @param request the request in words
   /// @param service the service's name, either in the driver's namespace or a full name
-  /// @param also may be empty; otherwise it is called on a thread of its own, with each answer that reports success
+  /// @param also called on a thread of its own with each answer that reports success; may be empty
   template <typename Service>
   void call(const QString& request, const std::string& service, const typename Service::Request& arguments,
             const std::function<void(const typename Service::Response&)>& also = {});
   void answer(bool success, const QString& text);
   void post(const std::function<void(Robot&)>& work);
 
-  /// Does the work unless another driver is used by then.
+  /// Does the work, unless another driver is used by then.
   /// @param driver the namespace of the driver that the work is about
   void postFrom(const QString& driver, const std::function<void(Robot&)>& work);
 
-  // Nobody sees more pictures than the screen shows, and nobody can read figures that change more often.
+  // The pauses of the queues: a screen shows no more pictures, and nobody can read figures that change more often.
   WindowQueue queue_{std::chrono::milliseconds(20)};
   WindowQueue measurements_{std::chrono::milliseconds(100)};
 
-  // The window's thread uses these members.
+  // Members that only the window's thread uses.
   RobotConnection connection_;
   ServiceCalls calls_;
 
@@ -103,7 +103,7 @@ class RosRobot : public Robot {
   std::shared_ptr<DriverTopics> topics_;  ///< null if no driver is known
   std::string name_space_;                ///< the namespace of the topics
 
-  // The thread that asks the master uses these members.
+  // Members that only the thread that asks the master uses.
   bool master_answers_ = true;
   QString reported_connection_;
   std::vector<std::string> found_drivers_;

@@ -40,7 +40,7 @@ bool ServiceCalls::run(const std::string& name, const std::function<void(Call&)>
   return true;
 }
 
-// From now on cancel() can end the call.
+// Publishes the client to cancel(), which can end the call from now on.
 bool ServiceCalls::publishClient(Call& call, const ros::ServiceClient& client) {
   const std::lock_guard<std::mutex> lock(mutex_);
   call.client = client;

@@ -23,7 +23,7 @@ class ServiceCalls {
  public:
   ServiceCalls() = default;
 
-  /// Ends the calls that are still running. None of their functions is called from then on.
+  /// Ends the calls that are still running. None of their functions `done` is called from then on.
   ~ServiceCalls() { cancel(); }
 
   ServiceCalls(const ServiceCalls&) = delete;
@@ -31,15 +31,15 @@ class ServiceCalls {
 
   /// @param name the name of the service, with its namespace
   /// @param done called on the call's thread with the answer, or with null if there is none
-  /// @return false if the last call of this service has not been answered yet; then there is no new call
+  /// @return false if the last call of this service has not been answered yet; in that case there is no new call
   template <typename Service>
   bool start(const std::string& name, const typename Service::Request& request,
              const std::function<void(const typename Service::Response*)>& done) {
     return run(name, [this, name, request, done](Call& call) {
       typename Service::Response response;
       ros::ServiceClient client;
-      if (node::isAdvertised(name)) {       // otherwise roscpp would wait for a master that hangs
-        constexpr bool kPersistent = true;  // another thread can end only such a connection
+      if (node::isAdvertised(name)) {       // without this check, roscpp would wait for a master that hangs
+        constexpr bool kPersistent = true;  // needed because another thread can end only such a connection
         client = ros::NodeHandle().serviceClient<Service>(name, kPersistent);
       }
       const bool answered = publishClient(call, client) && client.call(request, response);

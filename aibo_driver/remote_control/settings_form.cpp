@@ -21,7 +21,7 @@ QString labelOf(const QString& name) {
 
 QWidget* SettingsForm::makeChoice(const Setting& setting) {
   auto* box = new QComboBox(form_);
-  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // its list shows long texts in full
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // the list shows long texts in full
   for (const auto& [text, value] : setting.choices) {
     box->addItem(text, value);
   }
@@ -31,7 +31,7 @@ QWidget* SettingsForm::makeChoice(const Setting& setting) {
   return box;
 }
 
-// A value is sent when it is complete, not with each key.
+// Makes a field for a number. A value is sent when it is complete, not with each key.
 QWidget* SettingsForm::makeNumber(const Setting& setting) {
   const bool is_whole = setting.lowest.type() != QVariant::Double;
   auto* box = new QDoubleSpinBox(form_);
@@ -39,14 +39,14 @@ QWidget* SettingsForm::makeNumber(const Setting& setting) {
   box->setRange(setting.lowest.toDouble(), setting.highest.toDouble());
   box->setSingleStep(setting.highest.toDouble() > 2 ? 1 : 0.1);
   box->setKeyboardTracking(false);
-  box->setFocusPolicy(Qt::StrongFocus);  // the mouse wheel does not give it the focus
+  box->setFocusPolicy(Qt::StrongFocus);  // so that the mouse wheel does not give it the focus
   connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
           [this, is_whole, name = setting.name](double value) {
             Q_EMIT changed(name, is_whole ? QVariant(qRound(value)) : QVariant(value));
           });
   show_[setting.name] = [box, setting](const QVariant& value) {
     const QSignalBlocker nobody_changed_it(box);
-    // A new driver's values can come before its limits.
+    // The range includes the value, because a new driver's values can come before its limits.
     box->setRange(std::min(setting.lowest.toDouble(), value.toDouble()),
                   std::max(setting.highest.toDouble(), value.toDouble()));
     box->setValue(value.toDouble());

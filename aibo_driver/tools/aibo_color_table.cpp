@@ -54,7 +54,7 @@ void makeTable(const options::variables_map& values) {
   std::fprintf(stderr, "The table contains %.1f %% of the region and %.1f %% of the rest of the picture.\n",
                100 * coverage.inside, 100 * coverage.outside);
   const std::string yaml = aibo_driver::node::toYaml(table);
-  aibo_driver::node::parseColorTable(yaml, "the table");  // refuses a name that could not be loaded
+  aibo_driver::node::parseColorTable(yaml, "the table");  // refuses a name with which the table could not be loaded
   if (values.count("output") == 0) {
     std::cout << yaml;
     return;

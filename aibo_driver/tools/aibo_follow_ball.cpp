@@ -1,7 +1,7 @@
-// Follows a pink ball, like the one that came with the robot: with the head or, if ~walk is true, on its legs. The
+// Follows a pink ball, like the one that came with the robot: it turns its head or, if ~walk is true, walks to it. The
 // robot's camera detects the colour. The ball's place in the picture gives its direction, and its size its distance.
 //
-// When somebody stops the robot, or anything else moves it, the program ends. So nothing goes on by itself.
+// When somebody stops the robot, or anything else moves it, the program ends. So no movement goes on by itself.
 
 #include <aibo_driver/Connection.h>
 #include <aibo_driver/MotionState.h>
@@ -31,7 +31,7 @@ using aibo_driver::text::plainLine;
 using geometry_msgs::PointStamped;
 using geometry_msgs::Twist;
 
-constexpr double kClose = 0.45;  // m; when it is closer, the robot walks around the ball
+constexpr double kClose = 0.45;  // m; the robot walks around a ball that is closer
 
 // While the ball is this near to the middle of the picture, the head stays where it is.
 constexpr double kQuiet = 0.03;  // the tangent of the angle
@@ -71,13 +71,13 @@ class FollowBall {
     endIf(motion_problem_);
   }
 
-  // The head is moved by aibo_look_at for this program. Walking leaves the head free.
+  // True for movements that this program causes: aibo_look_at moves the head for it. Walking leaves the head free.
   bool isOurs(const Movement& movement) const {
     return movement.source == ros::this_node::getName() ||
            (!walks_ && (movement.kind == Movement::LOOK_AT || movement.kind == Movement::WALK));
   }
 
-  // Over a new connection, the driver refuses velocities until they pause.
+  // Over a new connection, the driver refuses velocities until the program pauses them.
   void receiveConnection(const aibo_driver::Connection::ConstPtr& connection) {
     endIf(connection->state == aibo_driver::Connection::CONNECTED ? "" : "the connection was lost");
   }
@@ -88,7 +88,7 @@ class FollowBall {
     }
   }
 
-  // It waits until it can begin.
+  // Ends the program because of a problem, unless it still waits until it can begin.
   void endIf(const std::string& problem) {
     if (has_begun_ && !problem.empty()) {
       end(problem);
@@ -96,14 +96,14 @@ class FollowBall {
   }
 
   void end(const std::string& why) {
-    mask_.shutdown();  // no command follows
+    mask_.shutdown();  // so that no command follows
     ROS_WARN_STREAM_ONCE("The robot does not follow the ball any more: " << why << ". To go on: rosrun aibo_driver "
                                                                          << "aibo_follow_ball"
                                                                          << (walks_ ? " _walk:=true" : ""));
     ros::requestShutdown();
   }
 
-  // Without masks there are no commands, and then the driver stops the robot.
+  // If no masks come, there are no commands, and the driver stops the robot.
   void receiveMask(const sensor_msgs::Image::ConstPtr& mask) {
     if (const std::string& problem = state_problem_.empty() ? motion_problem_ : state_problem_; !problem.empty()) {
       if (problem != std::exchange(told_problem_, problem)) {
@@ -135,7 +135,7 @@ class FollowBall {
     return twist;
   }
 
-  // Seen from where the camera was then; aibo_look_at knows from tf where that is now.
+  // The ball's place in the camera's frame at the time of the picture. aibo_look_at knows from tf where this is now.
   static PointStamped placeOf(const Ball& ball, const std_msgs::Header& header) {
     PointStamped point;
     point.header = header;
@@ -145,13 +145,13 @@ class FollowBall {
     return point;
   }
 
-  const bool walks_;  // false: it moves only the head
+  const bool walks_;  // false: the robot moves only the head
   bool has_begun_ = false;
   // Reasons why the program cannot begin to follow the ball; empty if there is none.
   std::string state_problem_ = "robot_state has not come";
   std::string motion_problem_ = "motion_state has not come";
-  std::string told_problem_;  // the last of them that was logged
-  int last_seen_on_ = 1;      // -1 means on the right
+  std::string told_problem_;  // the last of these reasons that was logged
+  int last_seen_on_ = 1;      // the side of the robot on which the ball was last seen; -1 means on the right
   ros::Publisher velocities_;
   ros::Publisher points_;
   ros::Subscriber others_points_;

@@ -30,16 +30,16 @@ using aibo_driver::LookAtResult;
 using aibo_driver::RobotState;
 using geometry_msgs::PointStamped;
 
-// With a larger error than this, which is a third of a pixel, a point is not in the middle of the picture.
+// The greatest error, a third of a pixel, with which a point still counts as in the middle of the picture.
 constexpr double kMiddle = 0.0015;
 
-// How long to wait for the transform and, after a start, for the driver. The stamps of tf are late by one measurement
-// of the robot, which is 32 ms, and by the delay of the radio.
+// How long to wait for the transform and, after the start, for the driver. The transforms in tf are late by one
+// measurement of the robot, which is 32 ms, and by the delay of the radio.
 constexpr double kPatience = 0.5;  // s
 
 constexpr double kDegree = M_PI / 180;
 
-// Waits by the wall clock, because ROS' own clock may stand still. Other threads serve tf and connections meanwhile.
+// Waits by the wall clock, because ROS' own clock may stand still. Other threads serve tf and connections.
 template <typename Condition>
 bool waitFor(const Condition& condition) {
   const ros::SteadyTime end = ros::SteadyTime::now() + ros::WallDuration(kPatience);
@@ -66,7 +66,7 @@ visualization_msgs::Marker makeFloor(const std::string& frame) {
   floor.ns = "floor";
   floor.type = visualization_msgs::Marker::CUBE;
   floor.frame_locked = 1u;
-  floor.pose.position.z = -kThickness;  // this puts it below the grid
+  floor.pose.position.z = -kThickness;  // so that the floor is below the grid
   floor.pose.orientation.w = 1;
   floor.scale.x = floor.scale.y = kSize;
   floor.scale.z = kThickness;
@@ -122,7 +122,7 @@ class LookAt {
     const double error = robot_model::findHeadAngles(place, &angles);
     sensor_msgs::JointState command;
     command.header.stamp = ros::Time::now();
-    command.header.frame_id = "look_at";  // motion_state tells it from other commands by this
+    command.header.frame_id = "look_at";  // distinguishes this command from others in motion_state
     command.name = {"neck_tilt", "head_pan", "head_tilt"};
     command.position = {angles.neck_tilt, angles.head_pan, angles.head_tilt};
     joints_.publish(command);

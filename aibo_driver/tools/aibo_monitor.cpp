@@ -23,7 +23,7 @@ using std::chrono::steady_clock;
 
 constexpr double kLongest = 100000;  // s; more than a day
 
-// How many pictures came in a time, and how late.
+// How many pictures came in a period, and how late.
 struct Figures {
   std::size_t pictures = 0;
   std::size_t bytes = 0;
@@ -75,7 +75,7 @@ class Monitor {
     const auto now = steady_clock::now();
     const Figures figures = std::exchange(figures_, {});
     if (!first_picture_time_ && figures.pictures > 0) {
-      first_picture_time_ = now;  // the present second is not a whole one
+      first_picture_time_ = now;  // the present second has begun without pictures
     } else {
       report(figures, std::chrono::duration<double>(now - last_report_).count());
     }
@@ -118,7 +118,7 @@ class Monitor {
   const steady_clock::time_point start_ = steady_clock::now();
   steady_clock::time_point last_report_ = start_;
   std::optional<steady_clock::time_point> first_picture_time_;
-  Figures figures_;  ///< of the present second
+  Figures figures_;  ///< the figures of the present second
   std::string connection_text_ = "no driver in namespace " + node_.getNamespace() + " yet";
 
   std::string stop_text_;  ///< empty while the robot may move

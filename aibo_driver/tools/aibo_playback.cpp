@@ -1,7 +1,7 @@
 // Plays a recording as if the driver ran now: messages get the stamps of now, and the driver's part of tf is made
-// again. So a recording can be repeated, and rviz shows it like a robot. The topic `connection` says that it is a
-// recording, and where it is. Nothing that a robot obeys is published, and all topics, also tf and diagnostics, are in
-// the namespace of the playback. So a robot that runs meanwhile neither moves nor looks like the recorded one.
+// again. So a recording can be repeated, and rviz shows it like a robot. The topic `connection` says that this is a
+// recording, and where it is. Nothing that a robot obeys is published, and all topics, even tf and diagnostics, are in
+// the namespace of the playback. So a robot that runs at the same time neither moves nor looks like the recorded one.
 
 #include <aibo_driver/CameraState.h>
 #include <aibo_driver/ColorRegions.h>
@@ -44,14 +44,14 @@ using aibo_driver::tools::Recording;
 using aibo_driver::tools::Timeline;
 using rosbag::MessageInstance;
 
-const ros::WallDuration kReportPeriod(1.0);  // as often as a driver says something
-const ros::WallDuration kLook(0.1);          // how often it checks for subscribers
+const ros::WallDuration kReportPeriod(1.0);  // as often as a driver sends something
+const ros::WallDuration kLook(0.1);          // how often the program looks for subscribers
 const ros::WallDuration kOthers(1.0);        // after the first subscriber, for the others to connect
 const ros::WallDuration kBetweenLoops(0.1);  // a recording of a single moment would repeat without a pause
 const ros::WallDuration kLastMoment(0.5);    // for the last messages to arrive
 
 constexpr std::uint32_t kQueueSize = 100;
-constexpr double kLowestRate = 0.01;  // of a recording of an hour, four days
+constexpr double kLowestRate = 0.01;  // a recording of an hour then takes four days
 constexpr double kHighestRate = 100;
 constexpr double kLongest = 1e9;  // s
 
@@ -72,7 +72,7 @@ bool hasChanged(const rosbag::ConnectionInfo& recorded) {
          recorded.md5sum != ros::message_traits::MD5Sum<Message>::value();
 }
 
-/// Whether these are messages of the driver's, as another version defines them. Subscribers cannot receive them.
+/// True for messages of the driver's that another version defines. Subscribers cannot receive them.
 bool isOfAnotherVersion(const rosbag::ConnectionInfo& recorded) {
   using namespace aibo_driver;  // NOLINT(google-build-using-namespace): its messages
   return hasChanged<CameraState>(recorded) || hasChanged<ColorRegions>(recorded) || hasChanged<Connection>(recorded) ||
@@ -156,7 +156,7 @@ class Playback {
       } else if (state_ == State::kEnded) {
         ros::requestShutdown();
       }
-    } catch (const std::runtime_error& error) {  // of rosbag, of messages that are too short, of impossible times
+    } catch (const std::runtime_error& error) {  // from rosbag, too short messages or impossible times
       ROS_FATAL_STREAM(recording_.name() << " is damaged at " << position() << ": " << error.what()
                                          << ". What follows is lost.");
       failed_ = true;
@@ -176,7 +176,7 @@ class Playback {
     rewind();
   }
 
-  // What was latched before the start is true at the start; what comes later is not known yet, as in the first round.
+  // Goes back to the start. Latched messages from before it are true again, and all later ones are not known yet.
   void rewind() {
     connected_ = Connection();
     frames_ = BodyFrames(recording_.framePrefix());
@@ -231,7 +231,7 @@ class Playback {
     publisher->second.publish(moved);
   }
 
-  // What the driver knew.
+  // Remembers what the driver knew.
   void learn(const MessageInstance& message) {
     if (const auto odometry = message.instantiate<nav_msgs::Odometry>()) {
       frames_.receive(*odometry);
@@ -298,12 +298,12 @@ class Playback {
   const bool loops_;
   const ros::Time start_;
   bool& failed_;
-  const aibo_driver::node::OnlyDriver only_driver_;  // the window could not say which of the two it shows
+  const aibo_driver::node::OnlyDriver only_driver_;  // with two drivers, a window could not say which of them it shows
   BodyFrames frames_;
-  ros::SteadyTime watched_by_;  ///< when it begins
+  ros::SteadyTime watched_by_;  ///< when the first subscriber was found
   State state_ = State::kWaiting;
   ros::Time paused_at_ = start_;
-  Connection connected_;  ///< as recorded
+  Connection connected_;  ///< the connection as it was recorded
   rosbag::View::iterator next_;
   std::map<std::string, ros::Publisher> publishers_;  ///< by the recorded topic
   ros::Publisher connection_;

@@ -91,7 +91,7 @@ Marker floorMarker(Marker marker) {
   return marker;
 }
 
-// A marker's cylinder has no round ends. None of the room's rods needs them.
+// A marker's cylinder has no round ends, but none of the room's rods needs them.
 Marker partMarker(const Body& body, const simulated_ers7::Part& part, Marker marker) {
   const Vector3d forward = body.turnToRoom(Vector3d::UnitX());
   Quaterniond turn(Eigen::AngleAxisd(std::atan2(forward.y(), forward.x()), Vector3d::UnitZ()));
@@ -124,7 +124,7 @@ Marker partMarker(const Body& body, const simulated_ers7::Part& part, Marker mar
 
 class Room {
  public:
-  /// @param on_table true if the robot begins on the table
+  /// @param on_table true: the robot begins on the table
   Room(ros::NodeHandle handle, bool on_table) : scene_(on_table) {
     constexpr bool kLatched = true;
     room_ = handle.advertise<visualization_msgs::MarkerArray>("room", 1, kLatched);
@@ -152,17 +152,17 @@ class Room {
     aibo_driver::node::publishLatched(room_, markers);
   }
 
-  // The frame odom is on the ground that the robot stands on at first.
+  // Lowers a marker, because the frame odom is on the ground that the robot stands on at first.
   void lower(Marker& marker) const { marker.pose.position.z -= scene_.groundAt(Eigen::Vector2d::Zero()); }
 
-  // The ball's place depends on the time since the robot was switched on.
+  // Moves the ball, whose place depends on the time since the robot was switched on.
   void receiveState(const aibo_driver::CameraState::ConstPtr& state) {
     if (state->frame_number > 0) {
       switched_on_ = state->header.stamp.toSec() - state->frame_number * kSecondsPerFrame;
     }
   }
 
-  // The next connection may be to a robot that was switched on at another time.
+  // Forgets when the robot was switched on, because the next connection may be to another run of it.
   void receiveConnection(const aibo_driver::Connection::ConstPtr& connection) {
     if (connection->state != aibo_driver::Connection::CONNECTED && switched_on_) {
       switched_on_.reset();
@@ -187,7 +187,7 @@ class Room {
   }
 
   simulated_ers7::Scene scene_;
-  std::optional<double> switched_on_;  ///< in seconds; any stamp can be there, so it can be before 0
+  std::optional<double> switched_on_;  ///< in seconds; may be below 0, because a stamp can have any value
   ros::Publisher room_;
   ros::Publisher ball_;
   ros::Subscriber state_;

@@ -92,11 +92,11 @@ JoyMapping readMapping(const ros::NodeHandle& parameters) {
   return mapping;
 }
 
-// A short press is one message of many. Those that come while this program stalls have to wait, or a stop is lost.
-// Our choice: some seconds of messages.
+// A short press of a button is only one of many messages. Messages that come while this program stalls have to be kept,
+// or a stop would be lost. The queue holds some seconds of messages, which is our choice.
 constexpr int kJoyQueueSize = 100;
 
-// The driver would replace a picture of the same name.
+// A name with the time, because the driver would replace a picture of the same name.
 std::string pictureName() {
   const ros::WallTime now = ros::WallTime::now();
   const std::time_t seconds = now.sec;
@@ -169,7 +169,7 @@ class JoyTeleop {
   }
 
   void turnHead(const HeadPosition& position) {
-    constexpr double kReserve = 1.5;  // so that the head can keep up with the positions
+    constexpr double kReserve = 1.5;  // lets the head keep up with the positions
     const double speed = kReserve * mapping_.head_speed;
     sensor_msgs::JointState command;
     command.name = {"head_pan", "head_tilt"};
@@ -178,7 +178,7 @@ class JoyTeleop {
     head_positions_.publish(command);
   }
 
-  // A version 1 server measures one joint after the other.
+  // Notes the joints in a message. A version 1 server measures one joint after the other.
   void receiveJoints(const sensor_msgs::JointState::ConstPtr& joints) {
     for (std::size_t i = 0; i < joints->name.size() && i < joints->position.size(); ++i) {
       if (joints->name[i] == "head_pan") {

@@ -28,10 +28,10 @@ using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 using teleop::KeySteering;
 
-// This is well below the 0.5 s after which the robot stops.
+// The time between two velocities, which is well below the 0.5 s after which the robot stops.
 constexpr milliseconds kPeriod{100};
 
-// Keyboards wait for less than this before they repeat a key that is held down.
+// Longer than keyboards wait before they repeat a key that is held down.
 constexpr double kHold = 0.8;          // s
 constexpr double kLongestHold = 60.0;  // s
 
@@ -44,7 +44,7 @@ void end(int) {
   is_ending = true;
 }
 
-// The program handles the signals itself, so that it can stop the robot and restore the terminal.
+// Makes signals end the loop, so that the program can stop the robot and restore the terminal.
 void endOnSignals() {
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
     std::signal(number, end);
@@ -77,7 +77,7 @@ class RefusalNotice {
  private:
   using EndedMovement = aibo_driver::EndedMovement;
 
-  // While the key is held down, the same reason comes again, with the advice to release it.
+  // The same reason comes again while a key is held down, with the advice to release the key.
   void receive(const aibo_driver::MotionState::ConstPtr& state) {
     const auto is_ours = [](const EndedMovement& each) {
       return each.movement.source == ros::this_node::getName() && each.movement.kind == aibo_driver::Movement::WALK;
@@ -90,7 +90,7 @@ class RefusalNotice {
       return;
     }
     told_ = reason;
-    if (std::exchange(has_listened_, true) && !reason.empty()) {  // what ended before is no news
+    if (std::exchange(has_listened_, true) && !reason.empty()) {  // movements that ended before are not shown
       print("The robot does not walk: " + reason + ".");
     }
   }
@@ -112,7 +112,7 @@ void steer(KeySteering* keys, const ros::Publisher& publisher, teleop::StopAndRe
     const auto wait = std::max(milliseconds(0), std::chrono::ceil<milliseconds>(next - steady_clock::now()));
     bool is_steered = false;
     if (const std::optional<char> key = terminal.readKey(std::min(wait, kPeriod))) {
-      if (*key == kStop) {  // it stops walking like every other key, too
+      if (*key == kStop) {  // this key stops the walk like every other key, and also calls stop
         robot->stop();
       }
       const bool is_release = *key == kRelease && robot->release();
@@ -133,7 +133,7 @@ void steer(KeySteering* keys, const ros::Publisher& publisher, teleop::StopAndRe
   }
   if (walks) {
     publisher.publish(geometry_msgs::Twist());
-    ros::WallDuration(0.2).sleep();  // until the message has been sent
+    ros::WallDuration(0.2).sleep();  // gives the message time to be sent
   }
 }
 

@@ -9,7 +9,7 @@
 namespace aibo_driver::ball {
 namespace {
 
-constexpr double kFocalLength = 192.0 / 208.0;  // of the ERS-7's camera, as a multiple of the picture's width
+constexpr double kFocalLength = 192.0 / 208.0;  // for the ERS-7's camera, as a multiple of the picture's width
 
 // A patch of detected pixels. The members are its edges in the picture.
 struct Patch {
@@ -22,7 +22,7 @@ struct Patch {
   double width() const { return right - left; }
   double height() const { return bottom - top; }
 
-  // A disc fills 0.79 of the box around it. A ball that touches the bone in the picture does not look like that.
+  // True for a patch with the shape of a ball: a disc fills 0.79 of its box, and a ball that touches the bone does not.
   bool isRound() const {
     return width() < 1.5 * height() && height() < 1.5 * width() && pixels > 0.6 * width() * height();
   }

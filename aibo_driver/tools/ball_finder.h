@@ -14,8 +14,8 @@ constexpr double kBallRadius = 0.0425;  ///< m, the radius of the pink ball
 /// A ball as the camera sees it.
 struct Ball {
   double left;      ///< the tangent of the angle to the left of the picture's middle; negative: to the right
-  double up;        ///< the same upwards; negative: down
-  double distance;  ///< m from the camera, from its size in the picture
+  double up;        ///< the tangent of the angle upwards; negative: down
+  double distance;  ///< m from the camera, computed from the ball's size in the picture
 };
 
 /// Finds the largest round patch of detected pixels. A ball looks as wide as it is high. The robot's bone is just as

@@ -20,8 +20,8 @@ struct Region {
   bool contains(int x, int y) const { return x >= left && x < left + width && y >= top && y < top + height; }
 };
 
-/// Makes a table of the colours in a region. It contains the range of Y, in whole segments and one more at each end,
-/// and the ranges of Cr and Cb, widened by a margin. For each of them, the lowest and the highest hundredth of the
+/// Makes a table of the colours in a region. The table contains the range of Y, in whole segments and one more at each
+/// end, and the ranges of Cr and Cb, widened by a margin. Of each range, the lowest and the highest hundredth of the
 /// values are left out, because the edges of things have other colours.
 /// @param margin added to both ends of Cr and Cb, 0..127
 /// @throw InvalidArgumentException the region is not within the picture, or has fewer than 16 pixels; the message says

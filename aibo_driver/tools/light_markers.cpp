@@ -23,11 +23,11 @@ constexpr Color kOrange{1.0F, 0.6F, 0.1F};
 constexpr Color kTouched{0.7F, 1.0F, 0.0F};
 constexpr Color kModeB{1.0F, 0.35F, 0.75F};
 
-// Every LED that shines at all must be visible.
+// The faintest marker, because every LED that shines at all must be visible.
 constexpr float kFaintest = 0.3F;
 constexpr float kTouchOpacity = 0.7F;
 
-// A box, in metres. It covers a part of the model and shows that this part shines or is touched.
+// A box, in metres. It covers a part of the model to show that this part shines or is touched.
 struct Place {
   const char* name;
   const char* link;
@@ -93,7 +93,7 @@ Marker makeMarker(const Place& place, const std::string& frame_prefix) {
   return marker;
 }
 
-// The places are on the ball's surface. Its centre is in the middle between the two centres in the model.
+// A place on the surface of the ball, whose centre is in the middle between the two centres in the model.
 Place onFace(const FacePlace& place) {
   constexpr double kRadius = 0.0355;
   constexpr double kSize = 0.009;
@@ -134,7 +134,7 @@ bool LightMarkers::setLeds(const aibo_driver::LedStates& leds) {
   bool has_changed = false;
   const std::size_t count = std::min({leds.names.size(), leds.intensities.size(), leds.modes.size()});
   for (std::size_t i = 0; i < count; ++i) {
-    // NaN means unknown.
+    // This comparison is false for NaN, which means unknown.
     const float intensity = leds.intensities[i] > 0 ? std::min(leds.intensities[i], 1.0F) : 0;
     has_changed |= set(leds.names[i], intensity, leds.modes[i] == aibo_driver::LedStates::MODE_B);
   }

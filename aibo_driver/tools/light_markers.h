@@ -11,7 +11,7 @@
 
 namespace lights {
 
-/// Shows in rviz which LEDs of an ERS-7 shine and what touches it. It uses markers on the links of the robot's model.
+/// Shows in rviz which LEDs of an ERS-7 shine and what touches it. The markers are on the links of the robot's model.
 ///
 /// The LEDs of the back and the touch sensors are where urdf/ers7.urdf has them. No source says where each LED of the
 /// face and the head is, so they are placed by a scheme: in pairs on the face, from bottom to top. LEDs of the face
@@ -25,8 +25,8 @@ class LightMarkers {
   bool setLeds(const aibo_driver::LedStates& leds);
   bool setTouch(const aibo_driver::Touch& touch);
 
-  /// All markers, each with its own id. Markers that shine are added, the others are removed. The markers move with
-  /// their links.
+  /// All markers, each with its own id. Markers of parts that shine or are touched are added, and the others are
+  /// removed. The markers move with their links.
   visualization_msgs::MarkerArray markers() const;
 
  private:

@@ -2,7 +2,7 @@
 
 
 class Problem(Exception):
-    """What is wrong, then what to do about it, one line each. `setting` is the name of the wrong one in a file."""
+    """What is wrong, then what to do about it, one line each. `setting` is the name of a wrong setting in a file."""
 
     def __init__(self, what, *advice, setting=None):
         super().__init__(what)

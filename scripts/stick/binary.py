@@ -30,7 +30,7 @@ UNBUFFERED_PRINTF = range(16384, 16640)
 NEEDED = (".SnapShotHdr", ".ObletDependencyDescr", ".ObletDependencyDescrList", ".RelEntry", ".RelDataEntry",
           ".reginfo", ".text", ".ctors", ".got")
 
-# gensnap adapts R_MIPS_32. It leaves out the others, which do not depend on the program's address.
+# gensnap adapts R_MIPS_32. It leaves out the other relocations, which do not depend on the program's address.
 RELOCATIONS = {"R_MIPS_NONE", "R_MIPS_32", "R_MIPS_CALL16", "R_MIPS_HI16", "R_MIPS_GPREL32", "R_MIPS_LO16",
                "R_MIPS_GOT16", "R_MIPS_PC32"}
 

@@ -72,7 +72,7 @@ def _make_programs(sdk, tools):
         _write_program(tools / "bin" / ("mipsel-linux-" + name), COMPILER.format(
             tools=tools, program=PREFIX + name,
             options=options.format(runtime=RUNTIME, gcc_headers=gcc_headers, sdk=sdk)))
-    # There is nothing to strip: link.py leaves symbols out. GNU ld itself refuses undefined ones.
+    # There is nothing to strip, because link.py leaves symbols out, and GNU ld itself refuses undefined ones.
     for name, program in (("ar", PREFIX + "ar"), ("readelf", PREFIX + "readelf"), ("nm", "true"), ("strip", "true")):
         (tools / "bin" / ("mipsel-linux-" + name)).symlink_to(shutil.which(program))
     _write_program(tools / "bin/ld", LINKER.format(scripts=Path(__file__).parents[1], python=sys.executable))

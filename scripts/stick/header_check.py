@@ -48,7 +48,7 @@ def _make_stub(sdk, robot_object, folder):
 
 
 def _compile(sdk, source, includes):
-    """Warnings are off: many would be about longword, which has 64 bits here. The Linux builds have them.
+    """Warnings are off, because many would be about longword, which has 64 bits here. The Linux builds show them.
 
     -fpermissive is for RCRegion.h, whose operator new takes an unsigned int: size_t on the robot, but not here.
     """

@@ -66,7 +66,7 @@ def compilers():
 
 
 def choose_compiler(sdk, wanted):
-    """`wanted`; if None, the SDK's compiler if it is there, otherwise Debian's."""
+    """Returns `wanted` or, if that is None, the SDK's compiler if it is there, otherwise Debian's."""
     return wanted or ("sdk" if (sdk / COMPILER.paths[1]).is_file() else "debian")
 
 
@@ -172,7 +172,7 @@ def _some(names):
 
 
 def _missing_programs(*names):
-    """Sony's own programs need Perl."""
+    """A Problem for each program that is not on this computer, such as Perl, which Sony's own programs need."""
     return [Problem(f"there is no {name} on this computer.", f"apt-get install {name}")
             for name in names if shutil.which(name) is None]
 

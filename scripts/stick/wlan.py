@@ -11,7 +11,7 @@ UNUSED_KEY = "AIBO2"  # if there is no encryption; Sony's examples have no empty
 NETWORK = "1"         # APMODE: an access point, or a network between two computers (IBSS)
 DEMO = "0"            # Sony's Ad Hoc Demo Mode, which alone uses CHANNEL
 
-# What a line may say, and in words; None if wlan_conf() checks it.
+# What each line may say, and the same in words; None if wlan_conf() checks the line.
 VALUES = {
     "HOSTNAME": (r"(?=.*[A-Za-z])[0-9A-Za-z]{1,8}", "up to 8 letters and digits, with at least one letter"),
     "USE_DHCP": ("[01]", "0 or 1"),
@@ -26,7 +26,7 @@ VALUES = {
 
 
 class Wlan(NamedTuple):
-    """A setting that was not given is None."""
+    """The settings of a WLAN. A setting that was not given is None."""
     essid: str
     ip: str = None
     netmask: str = None

@@ -105,7 +105,7 @@ def _copy_folder(source, target, keep=()):
 
 def _write_wlan_conf(path, text):
     if text is not None:
-        # It has the WEP key, so on a disk only its owner may read it. A memory stick has no permissions.
+        # The file has the WEP key, so on a disk only its owner may read it. A memory stick has no permissions.
         replace_file(path, text.encode("ascii"), 0o600)
         return []
     if path.exists():

@@ -65,7 +65,7 @@ int numberOf(const std::string& option, const std::string& name, const std::vect
   throw aibo_client::InvalidArgumentException("--" + option + " can be one of " + allowed + ", not '" + name + "'");
 }
 
-/// @return empty if the camera should stay as it is
+/// @return the settings; no value if the camera should stay as it is
 std::optional<CameraSettings> cameraSettingsIn(const Arguments& arguments) {
   CameraSettings settings;
   if (arguments.has("white-balance")) {
@@ -144,7 +144,7 @@ ExitStatus picture(const Arguments& arguments, Output& output) {
 }
 
 /// Takes the stream's pictures until a point in time.
-/// @param player gets the pictures; may be null
+/// @param player gets the pictures to play; may be null
 void takeUntil(Robot& robot, LinkMeter& meter, int every, Output* player, steady_clock::time_point end) {
   const auto has_pictures = [](const Received& received) { return !received.pictures.empty(); };
   while (robot.waitUntil(has_pictures, end - steady_clock::now(), Robot::Loss::kIsTolerated)) {
@@ -192,7 +192,7 @@ ExitStatus watch(const Arguments& arguments, Output& output) {
       reportSecond(robot, meter, output);
     }
   } catch (const Interrupted&) {
-    // This is the normal end.
+    // The time is over, which is the normal end.
   }
   const std::uint64_t lost = robot.received().lost_pictures;
   if (lost > 0) {

@@ -30,7 +30,7 @@ constexpr double kLongestTest = 600;         // s
 constexpr double kFewPictures = 20;          // pictures a second, of the camera's 25 or 30
 constexpr double kHighLoss = 0.1;
 constexpr double kLongGap = 0.5;        // s, between two pictures
-constexpr double kLowCharge = 0.2;      // the driver's diagnostics have the same limit
+constexpr double kLowCharge = 0.2;      // the same limit as in the driver's diagnostics
 constexpr double kBatteryPatience = 3;  // s
 constexpr char kWlanSwitch[] =
     "If the robot was never in this WLAN: is its switch WIRELESS, under the stomach cover, on? Press the pause "
@@ -41,10 +41,10 @@ struct Finding {
   std::string topic;
   bool good = true;
   std::string words;
-  std::string advice;  ///< what to do; empty if all is well
+  std::string advice;  ///< what to do about it; empty if all is well
 };
 
-/// Checks one thing after the other, until a problem makes the next check impossible.
+/// Checks one thing after the other, until a problem makes further checks impossible.
 class Doctor {
  public:
   Doctor(const RobotAddress& address, double seconds, Output& output)
@@ -129,7 +129,7 @@ class Doctor {
     tcp::iostream console;
     tcp::iostream client;
     if (connect(kConsolePort, &console) && connect(address_.port, &client)) {
-      std::ostringstream text;  // with this connection's address, because others may be turned away, too
+      std::ostringstream text;  // this connection's address, because others may be turned away, too
       text << " " << client.socket().local_endpoint() << " is turned away: ";
       const std::string mark = text.str();
       for (std::string line; std::getline(console, line);) {

@@ -25,7 +25,7 @@ using std::chrono::steady_clock;
 
 constexpr double kMargin = 5;            // s, in addition to the time that a way takes at full speed
 constexpr double kThere = 0.0087;        // rad, half a degree
-constexpr double kNear = 0.05;           // rad, as near as a robot of version 2 has to be
+constexpr double kNear = 0.05;           // rad; a robot of version 2 has to come as near
 constexpr double kClamped = 0.001;       // rad
 constexpr double kLongestDuration = 60;  // s
 constexpr double kLowestSpeed = 0.01;    // rad/s
@@ -66,7 +66,7 @@ Move parseMove(const Arguments& arguments) {
   return move;
 }
 
-/// Moves joints like the driver: within their limits, and with the driver's filter.
+/// Moves joints as the driver does: within their limits, and with the driver's filter.
 class Mover {
  public:
   Mover(Robot& robot, Output& output, const Move& move)
@@ -169,7 +169,7 @@ class Mover {
     return robot_.waitUnlessRefused(is_near, nanosecondsOf(seconds));
   }
 
-  /// A server that cannot hold is told to move the joints to where they are.
+  /// Holds the joints. A server that cannot hold is told to move them to where they are.
   void hold(const movement::JointTargets& targets) {
     std::vector<int> ids;
     movement::JointTargets here;
@@ -223,7 +223,7 @@ class Mover {
   Output& output_;
   const Move& move_;
   const movement::JointTable table_;
-  const movement::MeasuredJoints measured_;  // stays empty: the filter always approaches its first target
+  const movement::MeasuredJoints measured_;  // stays empty, so that the filter always approaches its first target
   movement::JointCommandFilter filter_;
 };
 

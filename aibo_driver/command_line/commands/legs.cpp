@@ -38,7 +38,7 @@ WalkVelocity velocityOf(const Arguments& arguments) {
   return velocity;
 }
 
-/// False if it is sent as 0.
+/// False if the velocity is sent as 0.
 bool moves(const WalkVelocity& velocity) {
   return std::max({std::abs(velocity.forward), std::abs(velocity.left), std::abs(velocity.turn)}) >= kStep / 2;
 }
@@ -54,12 +54,12 @@ std::string wordsOf(const WalkVelocity& velocity) {
          "m/s turn=" + text::decimal(velocity.turn, 3) + "rad/s";
 }
 
-/// Steers until the time is over or somebody presses Ctrl-C. Then the robot stops in an orderly way.
+/// Steers until the time is over or somebody presses Ctrl-C. After that, the robot stops in an orderly way.
 void steer(Robot& robot, const WalkVelocity& velocity, double seconds) {
   using std::chrono::steady_clock;
   const steady_clock::time_point end = steady_clock::now() + nanosecondsOf(seconds);
   bool interrupted = false;
-  robot.client().steer({});  // a walk begins only after zeros
+  robot.client().steer({});  // a walk begins only after a velocity of 0
   try {
     do {
       robot.client().steer(velocity, Robot::terms());
@@ -72,7 +72,7 @@ void steer(Robot& robot, const WalkVelocity& velocity, double seconds) {
     if (!robot.received().velocity) {
       throw;
     }
-    // The robot ends the walk by itself, and refuses to be steered. Then it says how the walk has ended.
+    // The robot has ended the walk by itself, and now refuses to be steered. It then says how the walk has ended.
   }
   robot.client().steer({});
   if (interrupted) {

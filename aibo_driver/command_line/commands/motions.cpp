@@ -36,7 +36,7 @@ ExitStatus list(const Arguments& arguments, Output& output) {
 }
 
 /// Waits while a motion plays. It stops the motion when the time has passed, and at Ctrl-C.
-/// @return what the robot has said about its end, if the motion has played to its end
+/// @return what the robot has said about the motion's end, if the motion has played to its end
 std::optional<std::string> waitWhileItPlays(Robot& robot, const std::string& name, double seconds) {
   std::optional<std::string> done;
   try {

@@ -69,7 +69,7 @@ ExitStatus listen(const Arguments& arguments, Output& output) {
       }
     }
   } catch (const Interrupted&) {
-    // This is the normal end.
+    // The time is over, which is the normal end.
   }
   output.result((recording ? arguments.words.front() + " has " : "Heard ") + text::decimal(heard, 1) + " s of sound" +
                     (gaps > 0 ? ", with " + counted(gaps, "gap") + "." : "."),
@@ -82,13 +82,13 @@ std::optional<int> volumeIn(const Arguments& arguments) {
                                  : std::nullopt;
 }
 
-/// Plays to the end. Ctrl-C stops it.
+/// Plays a sound to its end. Ctrl-C stops it.
 ExitStatus play(const Arguments& arguments, Output& output, std::optional<int> volume,
                 std::unique_ptr<sound::Source> source) {
   std::unique_ptr<sound::Player> player;
   Robot robot(arguments.robot, output, {}, [&player](const aibo_client::SoundEnd& end) { player->ended(end); });
   player = std::make_unique<sound::Player>(robot.client());
-  // However this function ends, no more samples are sent when the client goes, which goes before the player.
+  // The client ends before the player, and no samples may be sent after that, however this function ends.
   const std::shared_ptr<void> finish(nullptr, [&player](void*) { player->finish(); });
   robot.connect();
   if (volume) {

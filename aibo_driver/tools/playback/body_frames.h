@@ -17,11 +17,11 @@
 
 namespace aibo_driver::tools {
 
-/// Makes the driver's own part of tf again, from what it measured: odom, base_footprint, base_link. Without odom in the
-/// recording, the robot stays where it is.
+/// Makes the driver's own part of tf again, from the recorded measurements: odom, base_footprint, base_link. If the
+/// recording has no odom, the robot stays where it is.
 class BodyFrames {
  public:
-  /// @param frame_prefix what comes before all frames
+  /// @param frame_prefix the text before the names of all frames
   explicit BodyFrames(std::string frame_prefix) : frame_prefix_(std::move(frame_prefix)) {
     odometry_.orientation.w = 1;
   }
@@ -30,7 +30,7 @@ class BodyFrames {
   void receive(const sensor_msgs::Imu& imu) { pose_.accelerate(imu.linear_acceleration, imu.header.stamp); }
   void receive(const sensor_msgs::JointState& joints);
 
-  /// @param stamp for the transforms
+  /// @param stamp the stamp of the transforms
   /// @return empty until all legs have been measured
   std::vector<geometry_msgs::TransformStamped> frames(const ros::Time& stamp) const;
 

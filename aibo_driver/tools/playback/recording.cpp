@@ -12,10 +12,10 @@
 namespace aibo_driver::tools {
 namespace {
 
-// A namespace with one of these has a robot.
+// The topics that show that a namespace has a robot.
 constexpr std::array<const char*, 3> kSignsOfARobot{"/connection", "/joint_states", "/camera/image_raw/compressed"};
 
-// What drivers and aibo_room publish, apart from tf.
+// The topics that drivers and aibo_room publish, except for tf.
 constexpr std::array<const char*, 25> kOutputs{
     "audio",        "battery",     "camera/camera_info", "camera/image_raw", "camera/image_raw/compressed",
     "camera/state", "color_mask",  "color_regions",      "connection",       "imu/data_raw",
@@ -52,13 +52,13 @@ void open(rosbag::Bag& bag, const std::string& path) {
   }
 }
 
-/// Whether the first field of a message is a header.
+/// True if the first field of a message is a header.
 bool beginsWithHeader(const std::string& definition) {
   std::istringstream lines(definition);
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line.substr(0, line.find('#')));
     std::string type;
-    if (words >> type && line.find('=') == std::string::npos) {  // neither a comment nor a constant
+    if (words >> type && line.find('=') == std::string::npos) {  // a field, neither a comment nor a constant
       return type == "Header" || type == "std_msgs/Header";
     }
   }

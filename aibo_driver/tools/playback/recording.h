@@ -31,14 +31,14 @@ class Recording {
   /// The robot's namespace in the bag, such as "/recorded/aibo".
   const std::string& nameSpace() const { return name_space_; }
 
-  /// What the driver put before all frames of tf: empty, or with a / at its end.
+  /// The text that the driver put before the names of all frames in tf: empty, or with a / at its end.
   const std::string& framePrefix() const { return frame_prefix_; }
 
   ros::Time begin() const { return begin_; }
   ros::Duration length() const { return length_; }
 
   /// The topics in the bag and, for each of them, its name without a namespace, such as "joint_states". These names are
-  /// ours: a bag from a stranger cannot choose others.
+  /// ours, so a bag from a stranger cannot choose others.
   const std::map<std::string, std::string>& topics() const { return topics_; }
 
   /// The messages of these topics, in the order of their times.
@@ -55,16 +55,16 @@ class Recording {
   std::string frame_prefix_;
   ros::Time begin_;
   ros::Duration length_;
-  std::unique_ptr<rosbag::View> messages_;  // after the bag
+  std::unique_ptr<rosbag::View> messages_;  // after the bag, which it uses
 };
 
 /// When each moment of a recording is played.
 class Timeline {
  public:
-  /// @param rate how much faster than recorded, more than 0
+  /// @param rate how much faster than the recording it plays, above 0
   explicit Timeline(double rate) : rate_(rate) {}
 
-  /// Plays this moment of the recording now, and the others before and after it.
+  /// Plays this moment of the recording now, and all other moments relative to it.
   void anchor(const ros::Time& recorded, const ros::Time& now) {
     recorded_ = recorded;
     now_ = now;

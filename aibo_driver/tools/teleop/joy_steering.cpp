@@ -8,10 +8,10 @@
 namespace teleop {
 namespace {
 
-// If messages come less often than this, the head turns more slowly.
+// The longest time for which a message turns the head. If messages come less often, the head turns more slowly.
 constexpr double kLongestStep = 0.1;  // s
 
-// A command is never further ahead of the head than this. The head may be slow, or somebody may hold it.
+// How far a command may be ahead of the head, because the head may be slow, or somebody may hold it.
 constexpr double kFurthestAhead = 0.3;  // rad
 
 double advance(const char* joint, double target, double measured, double way) {
@@ -64,7 +64,7 @@ JoyOrders JoySteering::read(const std::vector<float>& axes, const std::vector<in
   return orders;
 }
 
-// When the button is released, the robot gets one order to stop.
+// Reads the sticks. When the button is released, the robot gets one order to stop.
 void JoySteering::readSticks(bool is_pressed, const std::vector<float>& axes, JoyOrders* orders) {
   if (is_pressed) {
     orders->walk = {deflection(axes, mapping_.forward_axis) * mapping_.speeds.forward,
@@ -124,7 +124,7 @@ std::string JoySteering::problem(std::size_t axes, std::size_t buttons) const {
          "/joy.";
 }
 
-// At the edge of the dead zone, the deflection begins at 0.
+// The deflection of an axis. It begins at 0 at the edge of the dead zone.
 double JoySteering::deflection(const std::vector<float>& axes, int axis) const {
   if (axis == kNoPlace) {
     return 0;

@@ -41,14 +41,14 @@ struct JoyMapping {
   double dead_zone = 0.1;               ///< 0..0.9; a smaller deflection counts as none
 };
 
-/// Finds out whether a button has two uses. Then one press would do both, such as release the robot and let it walk.
+/// Finds out whether a button has two uses. One press would then do both, such as release the robot and let it walk.
 /// @return the problem, as a sentence for the user; empty if there is none
 std::string problemOf(const JoyMapping& mapping);
 
 /// What the robot should do. Each button counts once, when it is pressed.
 struct JoyOrders {
-  std::optional<aibo_client::WalkVelocity> walk;  ///< empty: the joystick does not steer, so others may
-  std::optional<HeadVelocity> head;               ///< empty: the joystick does not turn the head, so others may
+  std::optional<aibo_client::WalkVelocity> walk;  ///< empty: the joystick does not steer, so other nodes may
+  std::optional<HeadVelocity> head;               ///< empty: the joystick does not turn the head, so other nodes may
   bool stop = false;
   bool release = false;
   bool take_picture = false;
@@ -59,7 +59,7 @@ struct JoyOrders {
 /// Turns the state of a joystick into orders.
 ///
 /// For safety, nothing moves unless the dead-man button is pressed. After a stop or a release it has to be released and
-/// pressed again. Otherwise a stick that is still deflected would make the robot walk on.
+/// pressed again. Without this, a stick that is still deflected would make the robot walk on.
 class JoySteering {
  public:
   explicit JoySteering(const JoyMapping& mapping) : mapping_(mapping) {}
@@ -68,7 +68,7 @@ class JoySteering {
   /// @param buttons 0 or 1
   JoyOrders read(const std::vector<float>& axes, const std::vector<int>& buttons);
 
-  /// What is wrong with a joystick that has so many axes and buttons. It is empty if all is well. A joystick with a
+  /// What is wrong with a joystick that has this many axes and buttons. It is empty if all is well. A joystick with a
   /// problem can only stop the robot.
   std::string problem(std::size_t axes, std::size_t buttons) const;
 

@@ -11,8 +11,8 @@ struct DirectionKey {
   Direction direction;
 };
 
-// A key shows the direction in which the robot goes. For m it goes back and to the left, so it has to turn to the
-// right.
+// A key shows the direction in which the robot goes. With the key m, it goes back and to the left, so it has to turn to
+// the right.
 constexpr DirectionKey kDirections[] = {
     {'i', {1, 0, 0}},  {'I', {1, 0, 0}},         {kArrowUp, {1, 0, 0}}, {'u', {1, 0, 1}},          {'o', {1, 0, -1}},
     {'j', {0, 0, 1}},  {kArrowLeft, {0, 0, 1}},  {'l', {0, 0, -1}},     {kArrowRight, {0, 0, -1}}, {',', {-1, 0, 0}},

@@ -16,7 +16,7 @@ struct Speeds {
   double turn = 0.5;     ///< rad/s
 };
 
-/// The keys of a terminal that send several bytes. Terminal::readKey() returns them as one.
+/// The keys of a terminal that send several bytes. Terminal::readKey() returns them as one of these.
 /// @{
 constexpr char kArrowUp = '\x81';
 constexpr char kArrowDown = '\x82';
@@ -33,7 +33,7 @@ struct Direction {
 };
 
 /// Turns keys into a velocity. The keys are those of ROS' teleop_twist_keyboard, as its documentation describes them.
-/// The keys around k are arranged like the directions on a keypad. So are the arrow keys. Capital letters walk
+/// The keys around k are arranged like the directions on a keypad. The arrow keys work, too. Capital letters walk
 /// sideways; q, z, w, x, e and c change the speeds. Every other key stops the robot.
 class KeySteering {
  public:

@@ -22,14 +22,15 @@
 
 namespace teleop {
 
-/// The parameters ~speed and ~side_speed, 0..1 m/s, and ~turn_speed, 0..10 rad/s. Those that are not set are as usual.
-/// @throw std::runtime_error one is no number, or out of its range; the message names it
+/// The parameters ~speed and ~side_speed, 0..1 m/s, and ~turn_speed, 0..10 rad/s. One that is not set has its usual
+/// value.
+/// @throw std::runtime_error a parameter is no number, or out of its range; the message names it
 Speeds readSpeeds(const ros::NodeHandle& parameters);
 
 geometry_msgs::Twist toTwist(const aibo_client::WalkVelocity& velocity);
 
 /// Logs the answer of a service.
-/// @param response null if there was none
+/// @param response the answer; null if there was none
 template <typename Response>
 void logAnswer(const std::string& service, const Response* response) {
   constexpr std::size_t kLongestMessage = 1000;  // bytes
@@ -47,7 +48,7 @@ class ServiceCaller {
  public:
   explicit ServiceCaller(const ros::NodeHandle& handle) : handle_(handle) {}
 
-  /// Calls a service. If the previous call has not ended yet, it only warns. Only one thread may call it.
+  /// Calls a service. If the previous call has not ended yet, it only logs a warning. Only one thread may call it.
   template <typename Service>
   void call(const std::string& name, const typename Service::Request& request) {
     if (call_.valid() && call_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
@@ -80,7 +81,7 @@ class StopAndRelease {
   void stop();
 
   /// Lets the robot move again, if somebody has stopped it.
-  /// @return false if nobody has
+  /// @return false if nobody has stopped it
   bool release();
 
  private:

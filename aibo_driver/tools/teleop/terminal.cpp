@@ -39,7 +39,7 @@ Terminal::~Terminal() {
   ::tcsetattr(descriptor_, TCSADRAIN, &former_settings_);
 }
 
-// An arrow key sends ESC [ A or ESC O A. Read as letters, such a sequence would make the robot walk: O is a direction.
+// An arrow key sends ESC [ A or ESC O A. Such a sequence, read as letters, would make the robot walk: O is a direction.
 std::optional<char> Terminal::readKey(std::chrono::milliseconds timeout) {
   constexpr char kEscape = '\x1b';
   constexpr std::chrono::milliseconds kSameKey(20);  // a terminal sends these bytes at once
@@ -53,7 +53,7 @@ std::optional<char> Terminal::readKey(std::chrono::milliseconds timeout) {
   }
   std::optional<char> last = readByte(kSameKey);
   const bool is_short = last && isFinal(*last);
-  while (last && !isFinal(*last)) {  // numbers and semicolons, for Delete or Ctrl with an arrow
+  while (last && !isFinal(*last)) {  // a sequence can have numbers and semicolons, as for Delete, or Ctrl with an arrow
     last = readByte(kSameKey);
   }
   constexpr char kArrows[] = {kArrowUp, kArrowDown, kArrowRight, kArrowLeft};  // A to D

@@ -9,8 +9,8 @@
 
 namespace teleop {
 
-/// A terminal whose keys are read one by one without being shown. Ctrl-C still interrupts. The destructor restores the
-/// terminal.
+/// A terminal whose keys are read one by one without being shown. Ctrl-C still interrupts the program. The destructor
+/// restores the terminal.
 class Terminal {
  public:
   /// @param descriptor the terminal's descriptor, usually stdin; it stays open
