@@ -236,7 +236,7 @@ class OnBothVersions:
         joints = self.json("move", "head_pan=20deg", "tail_pan=-0.2rad", "--speed", "120deg/s")["joints"]
         self.assertEqual([joint["name"] for joint in joints], ["head_pan", "tail_pan"])
         for joint, wanted in zip(joints, (0.349, -0.2)):
-            self.assertAlmostEqual(joint["position"], wanted, delta=0.02)
+            self.assertAlmostEqual(joint["position"], wanted, delta=0.05)  # as near as the robot calls it done
             self.assertFalse(joint["clamped"])
         self.assertAlmostEqual(self.position("head_pan"), 0.349, delta=0.03)  # and they stay
 
