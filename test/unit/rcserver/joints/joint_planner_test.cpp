@@ -226,6 +226,18 @@ class Inspector {
   const int acceleration_;  // a multiple of the default
 };
 
+TEST(JointPlanner, AcceptsPositionsAndLimitsWithinTheRobotsOwn) {
+  JointPlanner planner(ers7());
+  const int pan = joint("head_pan");
+  EXPECT_EQ(setTarget(planner, pan, 100000), 100000);
+  EXPECT_EQ(setTarget(planner, pan, 2000000000), microradians(88));
+  EXPECT_EQ(setTarget(planner, pan, -2000000000), microradians(-88));
+  EXPECT_EQ(planner.SetSpeedLimit(pan, 20000000), 10057460);
+  EXPECT_EQ(planner.SetSpeedLimit(pan, 0), 125);
+  EXPECT_EQ(planner.SetAccelerationLimit(pan, 2000000000), 1257182500);
+  EXPECT_EQ(planner.SetAccelerationLimit(pan, -1), 15625);
+}
+
 TEST(JointPlanner, NeverExceedsALimitWhateverIsCommandedOrFollowed) {
   for (const bool follows : {false, true}) {
     JointPlanner planner(ers7());
