@@ -49,7 +49,8 @@ class AdaptiveStream {
     int every_nth_image;  ///< 1 means every image of the camera
   };
 
-  /// @param best what the user wants; the stream begins with it. A quality below kLowestQuality stays as it is
+  /// @param best the step that the user wants, with which the stream begins. If its quality is below kLowestQuality,
+  ///   the quality is never changed
   /// @param max_age the greatest age that a picture should have when it is published
   AdaptiveStream(const Step& best, Duration max_age);
 

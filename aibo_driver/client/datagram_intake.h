@@ -33,7 +33,7 @@ class DatagramIntake {
   /// The longest time that pictures by UDP wait for the robot's answer by TCP. They have to wait for it, because
   /// pictures by TCP may come before it.
   static constexpr std::chrono::milliseconds kConfirmation{100};
-  /// How long a whole picture waits for those before it: the time for six datagrams, but within these limits.
+  /// A whole picture waits for those before it as long as six datagrams take, but within these limits.
   static constexpr std::chrono::milliseconds kLeastPatience{30};
   static constexpr std::chrono::milliseconds kMostPatience{100};
 

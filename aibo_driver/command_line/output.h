@@ -29,8 +29,8 @@ class Output {
   void leaveStandardOutputToBytes() { results_to_stderr_ = true; }
 
   /// Shows a result, in words or as JSON.
-  /// @param words the result in lines, the last of them without a newline
-  /// @throw OutputException the standard output accepts no more
+  /// @param words the result as lines of text, without a newline at the end
+  /// @throw OutputException writing to the standard output failed
   void result(const std::string& words, const Json& json);
 
   /// Tells the user something that is not a result. It never fails.

@@ -48,7 +48,7 @@ struct Received {
   int failures = 0;                                   ///< how many attempts and connections have ended
   std::map<int, aibo_client::JointReading> joints;    ///< the latest readings, by identifier
   std::map<int, double> sensors;                      ///< the latest values, by identifier
-  std::map<int, double> accepted_joints;              ///< rad, by identifier
+  std::map<int, double> accepted_joints;              ///< positions in rad, by the joint's identifier
   std::optional<aibo_client::WalkVelocity> velocity;  ///< the walk's latest that is not 0, within the robot's limits
   std::optional<std::string> refusal;                 ///< why an order that no call waits for was refused; the first
   std::optional<aibo_client::ActivityEnd> end;        ///< how the command's order has ended; empty before

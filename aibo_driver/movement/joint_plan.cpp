@@ -271,7 +271,8 @@ void JointPlan::resume(SteadyTime now) {
   }
 }
 
-// A trajectory begins as early as its first positions have to be sent. From then on, nothing else moves its joints.
+// Begins a trajectory when its first positions have to be sent, which may be before its start. From then on, nothing
+// else moves its joints.
 void JointPlan::begin(Job* job, SteadyTime now) {
   try {
     const Trajectory trajectory = plan(*job, now);

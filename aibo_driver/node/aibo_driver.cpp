@@ -367,7 +367,7 @@ void AiboDriver::publishTelemetry(const aibo_client::Telemetry& telemetry) {
 
 void AiboDriver::updateConnection(const aibo_client::ConnectionStatus& status) {
   if (status.state == aibo_client::ConnectionState::kConnected) {
-    // The mover must know of the connection before others can, because they then give orders.
+    // The mover is told first, because others may give orders as soon as they know of the connection.
     mover_.connected();
   }
   connection_.publish(status);

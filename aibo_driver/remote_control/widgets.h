@@ -1,4 +1,4 @@
-/// @file widgets.h What this window's widgets do differently from Qt's.
+/// @file widgets.h Qt's widgets, adapted to this window.
 #ifndef AIBO_DRIVER_REMOTE_CONTROL_WIDGETS_H
 #define AIBO_DRIVER_REMOTE_CONTROL_WIDGETS_H
 

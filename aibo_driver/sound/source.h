@@ -13,7 +13,7 @@
 
 namespace aibo_driver::sound {
 
-/// Gives the samples of a sound for the robot: mono, aibo_client::kSoundRate a second.
+/// Supplies the samples of a sound that the robot will play: mono, aibo_client::kSoundRate samples a second.
 class Source {
  public:
   Source() = default;

@@ -32,7 +32,7 @@ struct FileJob {
   unsigned ticket;  ///< the job's number, not 0, which its result repeats
   Operation operation;
   FileKind kind;
-  protocol::FileName name;  ///< empty for LIST, and for STORE of a picture, because FileKeeper chooses its name
+  protocol::FileName name;  ///< empty for LIST, and if a picture is stored: FileKeeper chooses its name
   size_t size;              ///< bytes of the content for STORE, otherwise 0
   unsigned char content[FILE_CAPACITY];
 };

@@ -55,8 +55,8 @@ std::string encodeMtn(const KeyFrameMotion& motion);
 /// @return one line; empty if there is no difference
 std::string describeChanges(const mtn::Motion& motion, const robot_model::RobotModel& robot);
 
-/// Makes a line safe for a terminal: anything but plain text (protocol::isPlainText()) gets a '?' for each byte that is
-/// not printable ASCII. Motion files come from anywhere.
+/// Makes a line safe for a terminal, because motion files come from anywhere. If the line is not plain text
+/// (protocol::isPlainText()), each byte that is not printable ASCII becomes a '?'.
 std::string forTerminal(std::string line);
 
 /// The robot that has the most of the motion's joints and ears; null if no robot has any. If both have the same number,

@@ -20,7 +20,7 @@ const char COLORS_PUSH = 'z';  ///< what was found in an image (request_number 0
 /// The id of `Z`.
 enum ColorOrder {
   COLORS_OFF = 0,   ///< no more pushes; no payload
-  COLORS_ON = 1,    ///< a push for every n-th image; the reply has the same payload
+  COLORS_ON = 1,    ///< asks for a push for every n-th image; the reply repeats the request's payload
   COLORS_TABLE = 2  ///< sets the table of one channel; the reply has no payload
 };
 

@@ -40,8 +40,8 @@ class MotionStatePublisher {
   /// @param mover, stop_memory must outlive the publisher
   MotionStatePublisher(const ros::NodeHandle& handle, const movement::Mover& mover, StopMemory& stop_memory);
 
-  /// Publishes what moves the robot and what it can do, if that has changed. If more movements have ended since the
-  /// last call than fit into one message, it publishes several messages. Any thread may call it.
+  /// Publishes what moves the robot and what the robot can do, if either has changed. If more movements have ended
+  /// since the last call than fit into one message, several are published. Any thread may call this.
   void publish();
 
  private:

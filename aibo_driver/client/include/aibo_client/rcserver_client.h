@@ -201,7 +201,7 @@ class RcServerClient {
   /// @throw StoppedException stop() was called
   void steer(const WalkVelocity& velocity, const OrderTerms& terms = {});
 
-  /// Changes ClientOptions::guard_walks. The change takes effect with the next call of steer(), also during a walk.
+  /// Changes ClientOptions::guard_walks. The change takes effect at the next call of steer(), even during a walk.
   void guardWalks(bool on);
 
   /// Sets LEDs. It returns without waiting, under the same rules as commandJoints(). If commands come faster than the

@@ -1,5 +1,5 @@
 /// @file sound.h
-/// What the robot hears, and what it plays. A server of version 1 has neither.
+/// Sound from the robot's microphones, and sound that it plays. Version 1 of the protocol has neither.
 #ifndef AIBO_CLIENT_SOUND_H
 #define AIBO_CLIENT_SOUND_H
 

@@ -106,7 +106,7 @@ struct ClientStatistics {
   Counter lost_datagrams;       ///< datagrams that had not come when 64 later ones had been sent
   Counter reordered_datagrams;  ///< datagrams that came behind later ones
   Counter duplicate_datagrams;  ///< datagrams that came a second time
-  Counter bad_datagrams;        ///< datagrams dropped: from the robot's address, but no part of a picture
+  Counter bad_datagrams;        ///< datagrams that came from the robot's address but were not part of a picture
   Counter foreign_datagrams;    ///< datagrams dropped: they came from another address
   Counter repaired_datagrams;   ///< datagrams that were lost or late and were made from others
   Counter lost_pictures;        ///< pictures of which a datagram was lost or came too late

@@ -25,7 +25,8 @@ struct Situation {
   longword frame;
   HeadAngles head;
   Stance stance;
-  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  ///< the body's, in the room, in m/s^2, without gravity
+  Eigen::Vector3d acceleration =
+      Eigen::Vector3d::Zero();  ///< of the body in the room's coordinates, in m/s^2, without gravity
 };
 
 struct RangeFinder;

@@ -188,7 +188,7 @@ void Travel::travel(const std::array<LegAngles, kLegs>& legs, const HeadAngles& 
   feelAcceleration(place_before);
 }
 
-/// Moves the supports beyond an edge out of the floor's reach.
+/// Supports that are beyond an edge no longer reach the floor.
 void Travel::loseGround(const Scene& scene) {
   constexpr double kOutOfReach = 1;
   is_beyond_edge_ = false;

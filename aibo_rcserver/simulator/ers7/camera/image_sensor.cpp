@@ -110,7 +110,7 @@ Color whiteBalanceOf(const CameraSettings& settings) {
   return settings.white_balance == ocamparamWB_INDOOR_MODE ? Color(0.72, 1.0, 1.55) : Color(1.10, 1.0, 0.86);
 }
 
-/// How many steps of the tone curve one unit of light is.
+/// The number of steps of the tone curve for one unit of light, for each colour.
 Color stepsOf(const CameraSettings& settings) {
   return whiteBalanceOf(settings) * (exposureOf(settings) * (kToneSteps - 1) / kBrightestLight);
 }

@@ -248,7 +248,7 @@ std::array<Color, 4> Renderer::lightOfParts(const Eye& eye, int x, int y) const 
   constexpr double kPart = 0.5;
   constexpr double kMiddles[] = {0.25, 0.75};
   const Near& near = near_[indexOf(x, y)];
-  // The face in the middle of the pixel, and the last of the other faces.
+  // The face in the middle of the pixel, and the other face that was found last. At first both are the same.
   Seen faces[] = {seen_[indexOf(x, y)], seen_[indexOf(x, y)]};
   std::array<Color, 4> parts;
   Color* part = parts.data();

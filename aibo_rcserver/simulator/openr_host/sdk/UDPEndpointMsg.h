@@ -13,7 +13,7 @@ enum UDPEndpointError {
   UDP_CONNECTION_CLOSED = 2,  ///< closed by a UDPEndpointCloseMsg
   UDP_CONNECTION_BUSY = 3,    ///< another send (for a send) or receive (for a receive) has not finished
   UDP_ADDRESSINUSE = 4,       ///< another program has the port
-  UDP_ADDRESSERROR = 5,       ///< this address is impossible
+  UDP_ADDRESSERROR = 5,       ///< the address is invalid
   UDP_PORT_UNREACHABLE = 6,   ///< no program received an earlier packet
   UDP_PROTOCOL_UNREACHABLE = 7,
   UDP_HOST_UNREACHABLE = 8,
