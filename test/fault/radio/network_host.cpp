@@ -38,10 +38,7 @@ void setAddress(int socket, unsigned long what, const std::string& address) {
   ifreq request = requestFor(kDevice);
   auto* internet = reinterpret_cast<sockaddr_in*>(&request.ifr_addr);
   internet->sin_family = AF_INET;
-  if (::inet_pton(AF_INET, address.c_str(), &internet->sin_addr) != 1) {
-    throw NoNetworkHosts("'" + address + "' is not an IPv4 address");
-  }
-  if (::ioctl(socket, what, &request) != 0) {
+  if (::inet_pton(AF_INET, address.c_str(), &internet->sin_addr) != 1 || ::ioctl(socket, what, &request) != 0) {
     throwProblem("address " + address);
   }
 }

@@ -16,7 +16,6 @@
 namespace fault_bench {
 namespace {
 
-namespace po = boost::program_options;
 using aibo_client::PictureTransport;
 using std::chrono::milliseconds;
 
@@ -35,25 +34,31 @@ std::vector<Trial> allTrials(std::uint32_t seed) {
   for (const double rate : {5.5e6, 2e6, 1e6}) {
     trials.push_back(lossTrial(rate, 0, seed, milliseconds(15000)));
   }
-  trials.push_back(withRival(trials.back()));
+  trials.push_back(trials.back());
+  trials.back().has_rival = true;
   return trials;
 }
 
 std::vector<Trial> shortTrials(std::uint32_t seed) {
-  return {lossTrial(11e6, 0, seed, milliseconds(2000)), lossTrial(11e6, 0.05, seed, milliseconds(3000)),
-          outageTrial(milliseconds(1000), seed),
-          by(PictureTransport::kUdp, lossTrial(11e6, 0.05, seed, milliseconds(3000))),
-          by(PictureTransport::kAuto, lossTrial(11e6, 0.05, seed, milliseconds(3000)))};
+  const Trial lossy = lossTrial(11e6, 0.05, seed, milliseconds(3000));
+  return {lossTrial(11e6, 0, seed, milliseconds(2000)), lossy, outageTrial(milliseconds(1000), seed),
+          by(PictureTransport::kUdp, lossy), by(PictureTransport::kAuto, lossy)};
+}
+
+std::string titleOf(const Trial& trial) {
+  const char* const transports[] = {"TCP", "UDP", "auto"};
+  const auto outage = trial.radio.outages.empty() ? milliseconds(0) : trial.radio.outages[0].length;
+  char title[100];
+  std::snprintf(title, sizeof title, "%g Mbit/s, loss %g %%, out %g s, %s%s", trial.radio.bits_per_second / 1e6,
+                trial.radio.loss * 100, static_cast<double>(outage.count()) / 1e3,
+                transports[static_cast<int>(trial.transport)], trial.has_rival ? ", rival" : "");
+  return title;
 }
 
 bool print(const Trial& trial, const Result& result) {
-  std::printf("%-40s %5.1f %7.1f %7.1f %7.1f %8.1f ", trial.title.c_str(), result.pictures_per_second,
-              quantile(result.ages, 0.5), quantile(result.ages, 0.99), quantile(result.ages, 1), result.longest_gap);
-  result.recovery < 0 ? std::printf("%9s", "-") : std::printf("%9.1f", result.recovery);
-  std::printf(" %6llu %10zu\n", static_cast<unsigned long long>(result.connections), result.violations.size());
-  if (!result.transport_problem.empty()) {
-    std::printf("  by TCP in the end: %s\n", result.transport_problem.c_str());
-  }
+  std::printf("%-44s %5.1f %7.1f %7.1f %7.1f %9.1f %6llu %10zu\n", titleOf(trial).c_str(), result.pictures_per_second,
+              quantile(result.ages, 0.5), quantile(result.ages, 0.99), quantile(result.ages, 1), result.recovery,
+              static_cast<unsigned long long>(result.connections), result.violations.size());
   for (const std::string& violation : result.violations) {
     std::printf("  VIOLATION: %s\n", violation.c_str());
   }
@@ -62,8 +67,8 @@ bool print(const Trial& trial, const Result& result) {
 }
 
 int runAll(const std::vector<Trial>& trials) {
-  std::printf("%-40s %5s %7s %7s %7s %8s %9s %6s %10s\n", "", "fps", "p50 ms", "p99 ms", "max ms", "gap ms", "back ms",
-              "conns", "violations");
+  std::printf("%-44s %5s %7s %7s %7s %9s %6s %10s\n", "", "fps", "p50 ms", "p99 ms", "max ms", "back ms", "conns",
+              "violations");
   bool all_well = true;
   for (const Trial& trial : trials) {
     all_well = print(trial, run(trial)) && all_well;
@@ -71,27 +76,24 @@ int runAll(const std::vector<Trial>& trials) {
   return all_well ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
-po::options_description describe(std::uint32_t* seed, bool* is_short) {
-  po::options_description description("Options", 120);
-  // clang-format off
-  description.add_options()
-    ("seed", po::value(seed)->default_value(1), "seed of loss and jitter")
-    ("short", po::bool_switch(is_short), "a few seconds only, for the test run");
-  // clang-format on
-  return description;
-}
-
 }  // namespace
 }  // namespace fault_bench
 
 int main(int argc, char** argv) {
+  namespace po = boost::program_options;
   std::uint32_t seed = 1;
   bool is_short = false;
+  po::options_description description("Options", 120);
+  // clang-format off
+  description.add_options()
+    ("seed", po::value(&seed)->default_value(1), "seed of loss and jitter")
+    ("short", po::bool_switch(&is_short), "a few seconds only, for the test run");
+  // clang-format on
   return test_support::runProgram(
       argc, argv,
       "Driver and robot over an emulated 802.11b link: how many pictures come, how old they are (from the camera's\n"
       "image to their delivery), and when they come again after an outage. Needs root.",
-      fault_bench::describe(&seed, &is_short), [&] {
+      description, [&] {
         try {
           return fault_bench::runAll(is_short ? fault_bench::shortTrials(seed) : fault_bench::allTrials(seed));
         } catch (const fault_bench::NoNetworkHosts& problem) {

@@ -9,13 +9,12 @@
 #include <vector>
 
 #include "aibo_client/rcserver_client.h"
-#include "radio/radio_medium.h"
+#include "radio/radio_link.h"
 
 namespace fault_bench {
 
 /// A stream of pictures over an emulated radio link: the client and the real RCServer, on two hosts.
 struct Trial {
-  std::string title;
   RadioOptions radio;
   std::chrono::milliseconds length{15000};
   aibo_client::PictureTransport transport = aibo_client::PictureTransport::kTcp;
@@ -33,10 +32,8 @@ struct Result {
   std::vector<Delivery> deliveries;
   double pictures_per_second = 0;  ///< from the first one to the end
   std::vector<double> ages;        ///< ms, sorted: those of the deliveries
-  double longest_gap = 0;          ///< ms, between pictures
   double recovery = -1;            ///< ms, from the end of the last outage to the next picture; -1 = no outage
   std::uint64_t connections = 0;
-  std::string transport_problem;  ///< why pictures came by TCP instead of UDP
   std::set<std::string> violations;
 };
 
@@ -44,7 +41,7 @@ struct Result {
 /// @throw NoNetworkHosts
 Result run(const Trial& trial);
 
-/// Computes from the deliveries what the result says about them all: rate, ages, gap and recovery.
+/// Computes from the deliveries what the result says about them all: rate, ages and recovery.
 void summarize(const Trial& trial, Result& result);
 
 /// Over a link that loses packets.
@@ -53,9 +50,6 @@ Trial lossTrial(double bits_per_second, double loss, std::uint32_t seed, std::ch
 
 /// Over a link of 11 Mbit/s that is out once, after 2 s.
 Trial outageTrial(std::chrono::milliseconds outage, std::uint32_t seed);
-
-/// The same with a rival.
-Trial withRival(Trial trial);
 
 /// The same with this transport.
 Trial by(aibo_client::PictureTransport transport, Trial trial);
