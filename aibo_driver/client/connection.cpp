@@ -16,16 +16,14 @@ constexpr std::chrono::milliseconds kShortestAnswerLimit{1000};
 
 }  // namespace
 
-void RefusalLog::refused(char letter, const std::string& problem) {
-  ++context_.counters.refusals;
-  if (problem != std::exchange(last_problems_[letter], problem)) {
-    context_.warn("refused " + problem);
-  }
+void Connection::refused(const Refusal& refusal) {
+  ++context.counters.refusals;
+  context.notifier.tell(&Callbacks::on_refused, "on_refused", refusal);
 }
 
-void RefusalLog::refused(const Refusal& refusal) {
-  ++context_.counters.refusals;
-  context_.notifier.tell(&Callbacks::on_refused, "on_refused", refusal);
+void Connection::refused(const std::string& problem) {
+  ++context.counters.refusals;
+  context.warn("refused " + problem);
 }
 
 void Connection::dropTooOld(TimePoint now) {

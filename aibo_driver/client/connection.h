@@ -21,27 +21,6 @@
 
 namespace aibo_client {
 
-/// Reports refusals of requests for which no call waits. The kinds in RefusedRequest are reported to the client's user.
-/// Others are logged, each problem once.
-class RefusalLog {
- public:
-  explicit RefusalLog(const ConnectionContext& context) : context_(context) {}
-
-  /// @param letter the letter of the request
-  /// @param problem what was refused and why, in words that follow "refused "
-  void refused(char letter, const std::string& problem);
-
-  /// Reports a refusal to the client's user.
-  void refused(const Refusal& refusal);
-
-  /// Call this when the robot has accepted a request with this letter. The next refusal of one is then logged again.
-  void accepted(char letter) { last_problems_.erase(letter); }
-
- private:
-  const ConnectionContext& context_;
-  std::map<char, std::string> last_problems_;  // by the request's letter
-};
-
 /// The state of one connection, from its beginning to its end. It belongs to the client's thread. The loop puts calls
 /// and commands in. The session, which speaks one version of the protocol, takes them out. It does no I/O and reads no
 /// clock.
@@ -50,12 +29,7 @@ struct Connection {
 
   /// @param established when the connection was made
   Connection(const ConnectionContext& the_context, TimePoint established)
-      : context(the_context),
-        pictures(context, established),
-        measurements(context),
-        colors(context),
-        sound(context),
-        refusals(context) {}
+      : context(the_context), pictures(context, established), measurements(context), colors(context), sound(context) {}
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
@@ -68,6 +42,12 @@ struct Connection {
   /// Call this when the robot has refused limits of these joints' speeds. The same limits will be sent when they are
   /// commanded again.
   void forgetSpeedLimits(const std::vector<int>& joints);
+
+  /// Reports that the robot has refused a request for which no call waits.
+  void refused(const Refusal& refusal);
+  /// Logs such a refusal if RefusedRequest does not have its kind.
+  /// @param problem what was refused and why, in words that follow "refused "
+  void refused(const std::string& problem);
 
   /// Reports the orders that were dropped.
   void reportDropped();
@@ -111,7 +91,6 @@ struct Connection {
   SoundIntake sound;
   PendingCalls calls;
   CommandOutbox commands;
-  RefusalLog refusals;
   RobotInfo robot;                      ///< the server's introduction of itself
   std::string robot_message;            ///< the robot's last report without a request, if it still holds
   std::string goes_off;                 ///< why the robot goes off, if it has said that it does

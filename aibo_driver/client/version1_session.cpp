@@ -310,14 +310,14 @@ void Version1Session::onValueRefused(int code) {
   if (!request.set) {
     habits_.unanswered_polls.erase(request.letter);
     if (request.letter == protocol::REQUEST_JOINT && measured_joints_.erase(request.id) > 0) {
-      connection_.refusals.refused(request.letter, "to move joint " + std::to_string(request.id) + ": " + kJointFault);
+      connection_.refused("to move joint " + std::to_string(request.id) + ": " + kJointFault);
       return;
     }
     poll_.drop({request.letter, request.id});
   }
   const std::optional<RefusedRequest> kind = refusedRequest(request.letter);
   if (!request.set || !kind) {
-    connection_.refusals.refused(request.letter, describe(request.letter, request.id) + ": " + describeError(code));
+    connection_.refused(describe(request.letter, request.id) + ": " + describeError(code));
     return;
   }
   if (*kind == RefusedRequest::kSpeedLimits) {
@@ -334,7 +334,7 @@ void Version1Session::onValueRefused(int code) {
       joint_orders_.erase(order);
     }
   }
-  connection_.refusals.refused({*kind, RefusalCause::kRobot, {request.id}, reason, number});
+  connection_.refused(Refusal{*kind, RefusalCause::kRobot, {request.id}, reason, number});
 }
 
 void Version1Session::onAnswer(const protocol::ValueReply& reply) {
@@ -362,7 +362,6 @@ void Version1Session::onValue(const protocol::ValueReply& reply) {
   const ValueRequest request = *std::exchange(pending_value_, std::nullopt);
   const double position = fromMicro(protocol::microradiansFromCentidegrees(reply.value));
   if (request.set) {
-    connection_.refusals.accepted(request.letter);
     if (request.letter == protocol::REQUEST_JOINT) {
       connection_.context.notifier.tell(&Callbacks::on_joints_accepted, "on_joints_accepted",
                                         {{reply.identifier, position}});

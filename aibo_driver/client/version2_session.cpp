@@ -476,7 +476,6 @@ void Version2Session::onReply(char kind, int number, const Payload& payload) {
   } else if (kind != version2::replyKind(*request_kind)) {
     throw ProtocolException(std::string("a reply '") + kind + "' to the request '" + *request_kind + "'");
   } else {
-    connection_.refusals.accepted(*request_kind);
     const auto exchange = exchanges_.find(number);
     if (const Call* const call = connection_.calls.find(number)) {
       call->isForPicture() ? onRequestedPicture(number, payload) : onCallAnswered(*call, payload);
@@ -691,7 +690,7 @@ void Version2Session::onError(int number, const Payload& payload) {
     if (letter == version2::REQUEST_SPEED_LIMITS) {
       connection_.forgetSpeedLimits(order.ids);
     }
-    connection_.refusals.refused({refusedRequest(letter).value(), cause, order.ids, problem, order.number});
+    connection_.refused(Refusal{refusedRequest(letter).value(), cause, order.ids, problem, order.number});
   } else {
     onRefusal(exchanges_.at(number), problem);
   }
@@ -719,7 +718,7 @@ void Version2Session::onRefusal(const Exchange& exchange, const std::string& pro
     }
     return;
   }
-  connection_.refusals.refused(letter, what + ": " + problem);
+  connection_.refused(what + ": " + problem);
 }
 
 void Version2Session::onEnded(const Payload& payload) {
