@@ -22,8 +22,9 @@ struct ConnectionContext;
 /// possible, and no more than was asked for. What it drops is counted, and logged once for each joint and sensor.
 class TelemetryIntake {
  public:
-  /// The most telemetry that is delivered at once, if more has arrived together. It is two seconds at the highest rate.
-  static constexpr std::size_t kMostAtOnce = 64;
+  /// The most telemetry that is delivered at once, if more has arrived together: 5 s at the highest rate. A robot
+  /// disconnects a client that has read nothing for longer.
+  static constexpr std::size_t kMostAtOnce = 160;
 
   /// @param context must outlive the object
   explicit TelemetryIntake(const ConnectionContext& context) : context_(context) {}

@@ -390,11 +390,6 @@ void Version2Session::bytesArrived(const std::uint8_t* data, std::size_t size, T
   if (!reader_.isBetweenFrames()) {
     connection_.pictures.signOfPicture(now);  // nothing else is so large that it comes in parts
   }
-  if (!telemetry_.empty()) {
-    for (Telemetry& telemetry : std::exchange(telemetry_, {})) {
-      connection_.measurements.deliver(std::move(telemetry), connection_.robot.design);
-    }
-  }
   connection_.colors.deliver();
 }
 
@@ -575,13 +570,9 @@ void Version2Session::onRequestedPicture(int number, const Payload& payload) {
 void Version2Session::onTelemetry(const Payload& payload) {
   const auto measured = decoded<version2::Telemetry>(payload.data, payload.size, "telemetry");
   frames_.told(measured.frame_number, now_);
-  if (telemetry_.size() == TelemetryIntake::kMostAtOnce) {
-    // This many wait only if this process stalled for long, and then the oldest are worth least.
-    telemetry_.pop_front();
-    ++connection_.context.counters.dropped_telemetry;
-  }
-  telemetry_.push_back(telemetryIn(measured, connection_.robot.design));
-  telemetry_.back().arrival = frame_began_;
+  Telemetry telemetry = telemetryIn(measured, connection_.robot.design);
+  telemetry.arrival = frame_began_;
+  connection_.measurements.deliver(std::move(telemetry), connection_.robot.design);
 }
 
 // Until the robot has answered, colours may still be those of the old tables, and would get the names of the new ones.

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
@@ -172,7 +171,6 @@ class Version2Session final : public Session {
   DatagramIntake::Start start_;                // of the datagrams as last requested
   std::optional<std::uint32_t> newest_frame_;  // of the newest delivered picture; empty until UDP was possible
   std::vector<Report> reports_;                // the reports that still hold; the newest is last
-  std::deque<Telemetry> telemetry_;            // the telemetry in the bytes that are being parsed, in order
 };
 
 }  // namespace aibo_client

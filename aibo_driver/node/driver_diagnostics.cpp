@@ -225,7 +225,6 @@ void DriverDiagnostics::reportJoints(DiagnosticStatusWrapper& status) {
   status.add("measurements per second", text::decimal(period_.measurement_rate, 1));
   const ClientStatistics client = sources_.client.statistics();
   addAll({{"measurements received", client.telemetry},
-          {"measurements dropped for newer ones", client.dropped_telemetry},
           {"measurements dropped, more than asked for", client.thinned_telemetry},
           {"impossible values dropped", client.impossible_values},
           {"requests refused by the robot", client.refusals}},

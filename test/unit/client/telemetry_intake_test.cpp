@@ -166,8 +166,8 @@ TEST_F(TelemetryIntakeTest, WhatWasAskedForIsNeverThinnedAlsoIfTheRadioHeldItUp)
     intake_.askedFor(period);
     const milliseconds interval = std::max(period, 4) * milliseconds(8);
     for (int i = 0; i < 1000; ++i) {
-      const int round = i % 128;
-      now_ += round < 64 ? interval : round == 64 ? 64 * interval : milliseconds(0);
+      const int round = i % 320;
+      now_ += round < 160 ? interval : round == 160 ? 160 * interval : milliseconds(0);
       measure({{kHeadPan, 0}});
     }
   }

@@ -53,8 +53,8 @@ struct Callbacks {
   /// streaming() has changed.
   std::function<void(bool streaming)> on_streaming;
   /// Measurements of the robot, in order. If several have arrived together, for example after an outage of the radio,
-  /// this is called for each of them, but only for the newest 64 (our choice). Telemetry that comes more than twice as
-  /// often as requested is dropped. Values that no joint or sensor of this robot can have are dropped, too.
+  /// this is called for each of them. Telemetry that comes more than twice as often as requested is dropped. Values
+  /// that no joint or sensor of this robot can have are dropped, too.
   std::function<void(const Telemetry& telemetry)> on_telemetry;
   /// The targets that the robot has accepted for joints, clamped to their limits.
   std::function<void(const std::vector<JointTarget>& targets)> on_joints_accepted;

@@ -91,7 +91,6 @@ struct ClientStatistics {
   Counter stale_pictures;       ///< good pictures dropped: this process stalled, and they waited unread
   Counter bytes_received;       ///< bytes read from the socket
   Counter telemetry;            ///< telemetry delivered
-  Counter dropped_telemetry;    ///< telemetry dropped: this process stalled, and more than 64 waited unread
   Counter thinned_telemetry;    ///< telemetry dropped: it came more than twice as often as requested
   Counter thinned_colors;       ///< detected colours dropped: they came more than twice as often as requested
   Counter sounds;               ///< pieces of heard sound that were delivered
