@@ -1,5 +1,5 @@
 """The commands in README.md, CONTRIBUTING.md and docs/ work as they are written: those in blocks of `sh`, and indented
-lines that begin with one of our programs or ROS'. So does the program in docs/python.md. They run with a simulated
+lines that begin with one of our programs or ROS'. So do the programs in docs/python.md. They run with a simulated
 robot, its driver, and a second simulated robot for the command line. A comment before a block, which readers of the
 page do not see, names commands that cannot run in a test, and why:
 
@@ -7,9 +7,12 @@ page do not see, names commands that cannot run in a test, and why:
     <!-- not run: a reason -->                   all commands of the block
 """
 import contextlib
+import importlib.util
 import io
+import itertools
 import os
 import re
+import select
 import shlex
 import shutil
 import signal
@@ -104,8 +107,9 @@ class CommandsTest(unittest.TestCase):
             PYTHONPATH='%s:%s' % (sys.path[0], os.environ.get('PYTHONPATH', '')), PWD=str(cls.folder),
             ROS_MASTER_URI='http://127.0.0.1:%d' % master, ROS_IP='127.0.0.1', ROS_HOME=str(cls.folder),
             HOME=str(cls.folder), QT_QPA_PLATFORM='offscreen', PATH='%s:%s' % (programs, os.environ['PATH']))
-        for port in cls.robot_ports:
-            cls.start(['aibo_rcserver', '--port', str(port), '--no-console', '--memory-stick', 'stick%d' % port])
+        cls.console_port = free_port()
+        for port, console in zip(cls.robot_ports, (['--console-port', str(cls.console_port)], ['--no-console'])):
+            cls.start(['aibo_rcserver', '--port', str(port), *console, '--memory-stick', 'stick%d' % port])
         cls.start(['roslaunch', '-p', str(master), 'patient.launch'])
         cls.wait_for_driver()
         cls.record()
@@ -228,22 +232,40 @@ class CommandsTest(unittest.TestCase):
             self.assertEqual(process.returncode, 0, output)
             self.assertNotIn('success: False', output)
 
-    def run_python(self, page):
-        """Runs the first program in Python of a page, and returns what it prints."""
-        program = re.search(r'^```python\n(.*?)^```', (PROJECT / page).read_text(encoding='utf-8'),
-                            re.MULTILINE | re.DOTALL).group(1)
-        done = subprocess.run([sys.executable, '-c', program], cwd=self.folder,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=PATIENCE)
-        self.assertEqual(done.returncode, 0, done.stdout)
-        return done.stdout
+    def start_python(self, page, what):
+        """Starts the first program in Python of a page that has these words in it."""
+        programs = re.findall(r'^```python\n(.*?)^```', (PROJECT / page).read_text(encoding='utf-8'),
+                              re.MULTILINE | re.DOTALL)
+        program = next(each for each in programs if what in each)
+        process = subprocess.Popen([sys.executable, '-c', program], cwd=self.folder, stdout=subprocess.PIPE,
+                                   stderr=subprocess.STDOUT, text=True, start_new_session=True)
+        self.addCleanup(self.kill, process)
+        return process
 
     def test_the_action_in_python_plays_a_motion(self):
+        output, _ = self.start_python('docs/python.md', 'SimpleActionClient').communicate(timeout=PATIENCE)
         # A machine that stalls for half a second loses the connection, and the robot's motion ends.
-        self.assertRegex(self.run_python('docs/python.md'),
-                         'It was played to its end|the connection to the robot was lost')
+        self.assertRegex(output, 'It was played to its end|the connection to the robot was lost')
+
+    def test_the_robot_thanks_for_a_pat(self):
+        process = self.start_python('docs/python.md', 'likes_pats')
+        end = time.monotonic() + PATIENCE
+        with socket.create_connection(('127.0.0.1', self.console_port)) as console:
+            hand = itertools.cycle((b'press back_middle\n', b'release back_middle\n'))
+            while not select.select([process.stdout], [], [], 0.5)[0] and time.monotonic() < end:
+                console.sendall(next(hand))
+        self.assertEqual(process.stdout.readline(), 'Thank you!\n')
+
+    @unittest.skipUnless(importlib.util.find_spec('cv2'), 'OpenCV is not installed')
+    def test_opencv_finds_edges(self):
+        self.start_python('docs/python.md', 'cv2')
+        edges = self.shell('rostopic echo -n 1 /aibo/edges/compressed')
+        self.addCleanup(self.kill, edges)
+        self.assertIn('format: "jpeg"', edges.communicate(timeout=PATIENCE)[0])
 
     def test_pictures_of_a_recording_become_files(self):
-        self.run_python('docs/recordings.md')
+        output, _ = self.start_python('docs/recordings.md', '').communicate(timeout=PATIENCE)
+        self.assertTrue((self.folder / '000000.jpg').is_file(), output)
         self.assertEqual((self.folder / '000000.jpg').read_bytes()[:2], b'\xff\xd8')
 
     def test_those_without_an_end_keep_running(self):
