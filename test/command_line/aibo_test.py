@@ -736,7 +736,8 @@ class Unreachable(TestCase):
 
     def test_a_robot_whose_settings_leave_this_computer_out(self):
         robot = self.robot_with("ALLOWED_ADDRESSES=10.0.0.1\n", "--bind", self.own_address(), console=59000)
-        finding, = self.json("doctor", self.own_address(), port=robot.port, status=UNREACHABLE)["findings"]
+        finding, = self.json("--timeout", "60", "doctor", self.own_address(), port=robot.port,
+                             status=UNREACHABLE)["findings"]
         self.assertEqual(finding["advice"],
                          "The robot's console says why: ALLOWED_ADDRESSES in RCSERVER.CFG does not name it")
 

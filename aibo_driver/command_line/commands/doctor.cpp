@@ -20,11 +20,9 @@ using boost::asio::ip::tcp;
 
 namespace {
 
-using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
 constexpr int kConsolePort = 59000;  // Sony's wireless console
-constexpr milliseconds kConsoleTimeout{500};
 constexpr std::size_t kLongestReason = 200;  // bytes
 constexpr double kLongestTest = 600;         // s
 constexpr double kFewPictures = 20;          // pictures a second, of the camera's 25 or 30
@@ -146,9 +144,9 @@ class Doctor {
     return connect(kConsolePort, &console);
   }
 
-  /// All that happens on the connection ends after kConsoleTimeout.
+  /// All that happens on the connection ends after the time that the user waits for connections.
   bool connect(int port, tcp::iostream* connection) {
-    connection->expires_after(kConsoleTimeout);
+    connection->expires_after(address_.timeout);
     connection->connect(address_.host, std::to_string(port));
     return connection->good();
   }
