@@ -8,6 +8,7 @@
 #include <string>
 
 #include "aibo_client/rcserver_client.h"
+#include "support/refusal.h"
 
 using namespace aibo_client;
 using std::chrono::milliseconds;
@@ -15,14 +16,8 @@ using testing::HasSubstr;
 
 namespace {
 
-/// The message of the exception; empty if there is none.
 std::string complaintOf(const std::function<void()>& check) {
-  try {
-    check();
-  } catch (const InvalidArgumentException& error) {
-    return error.what();
-  }
-  return "";
+  return test_support::refusalOf<InvalidArgumentException>(check);
 }
 
 TEST(ArgumentChecksTest, TargetsAreChecked) {

@@ -11,11 +11,13 @@
 #include "aibo_client/exceptions.h"
 #include "aibo_client/rcserver_client.h"
 #include "recorder.h"
+#include "support/refusal.h"
 #include "support/safety_net.h"
 #include "support/scripted_server.h"
 #include "support/test_pictures.h"
 
 using test_support::eventually;
+using test_support::refusalOf;
 using test_support::ScriptedPeer;
 using test_support::ScriptedServer;
 
@@ -87,17 +89,6 @@ class ClientFixture : public testing::Test {
     const protocol::BasicGetCommand command = peer->readCommand();
     EXPECT_EQ(letter, command.command);
     EXPECT_EQ(quality, command.identifier);
-  }
-
-  /// The message of the exception that the call is expected to throw.
-  template <typename Expected, typename Call>
-  static std::string complaintOf(const Call& call) {
-    try {
-      call();
-    } catch (const Expected& error) {
-      return error.what();
-    }
-    return "not thrown";
   }
 
   /// Lets `send` send one picture of the stream, again and again until it is delivered. If this computer is too busy to

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "aibo_client/exceptions.h"
+#include "support/refusal.h"
 
 using namespace aibo_client;
 
@@ -30,10 +31,6 @@ TEST(Names, AreThoseOfTheDesign) {
 
 TEST(Names, AreListedIfOneIsNotKnown) {
   EXPECT_EQ(nameOfLed(99), "LED 99");
-  try {
-    idOfJoint("elbow", "ERS-7");
-    FAIL() << "there is no elbow";
-  } catch (const InvalidArgumentException& error) {
-    EXPECT_THAT(error.what(), ::testing::AllOf(::testing::HasSubstr("'elbow'"), ::testing::HasSubstr("head_pan, ")));
-  }
+  EXPECT_THAT(test_support::refusalOf<InvalidArgumentException>([] { idOfJoint("elbow", "ERS-7"); }),
+              ::testing::AllOf(::testing::HasSubstr("'elbow'"), ::testing::HasSubstr("head_pan, ")));
 }

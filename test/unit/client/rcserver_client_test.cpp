@@ -25,7 +25,7 @@ class RcServerClientTest : public ClientFixture {};
 TEST_F(RcServerClientTest, AConnectionThatWorksHasNoReasonAndNoAdvice) {
   ScriptedPeer peer = startStream();
   sendUntilDelivered(&peer, test_pictures::makeNumbered(1));
-  EXPECT_EQ(test_pictures::makeNumbered(1), recorder_.pictures().at(0)->jpeg);
+  EXPECT_EQ(test_pictures::makeNumbered(1), recorder_.reports().pictures.at(0)->jpeg);
   EXPECT_GT(client_.statistics().bytes_received, 1000u);
   const std::string connected = "Connected to 127.0.0.1:" + std::to_string(server_.port());
   EXPECT_TRUE(eventually([&] { return recorder_.logged(connected) == 1; }));
@@ -56,8 +56,8 @@ TEST_F(RcServerClientTest, EachConnectionHasTheNextNumber) {
   for (const unsigned number : {1u, 2u}) {
     ScriptedPeer peer = connectVersion2();
     peer.send(makeFrame('t', 0, version2_frames::makeTelemetry(7, {{'J', 1, 0}})));
-    ASSERT_TRUE(recorder_.waitForTelemetry(number));
-    EXPECT_EQ(number, recorder_.telemetry().back().connection_number);
+    ASSERT_TRUE(eventually([&] { return recorder_.reports().telemetry.size() == number; }));
+    EXPECT_EQ(number, recorder_.reports().telemetry.back().connection_number);
     EXPECT_EQ(number, client_.statistics().telemetry);
     EXPECT_EQ(number, client_.statistics().connections);
   }
@@ -65,14 +65,17 @@ TEST_F(RcServerClientTest, EachConnectionHasTheNextNumber) {
 
 TEST_F(RcServerClientTest, TellsWhenTheStreamWasSwitchedOnOrOffAlsoByTheEndOfAConnection) {
   ScriptedPeer peer = startStream();
-  EXPECT_TRUE(recorder_.waitForStreaming({true}));
+  const auto tells = [this](const std::vector<bool>& changes) {
+    return eventually([&] { return recorder_.reports().streaming == changes; });
+  };
+  EXPECT_TRUE(tells({true}));
   EXPECT_TRUE(client_.streaming());
   client_.setStreaming(false);
-  EXPECT_TRUE(recorder_.waitForStreaming({true, false}));
+  EXPECT_TRUE(tells({true, false}));
   client_.setStreaming(true);
-  EXPECT_TRUE(recorder_.waitForStreaming({true, false, true}));
+  EXPECT_TRUE(tells({true, false, true}));
   peer.close();
-  EXPECT_TRUE(recorder_.waitForStreaming({true, false, true, false}));
+  EXPECT_TRUE(tells({true, false, true, false}));
 }
 
 TEST_F(RcServerClientTest, ACallbackThatThrowsIsLoggedAndTheStreamGoesOn) {
@@ -241,7 +244,7 @@ TEST_F(ACallThatWaits, IsRefusedFromACallbackInsteadOfWaitingForItself) {
   Callbacks callbacks;  // the others are empty
   callbacks.on_picture = [&](const PicturePtr&) {
     EXPECT_THROW(self->waitForConnection(kSafetyNet), Exception);
-    complaint.set_value(complaintOf<Exception>([&] { self->takePicture(0, kSafetyNet); }));
+    complaint.set_value(refusalOf<Exception>([&] { self->takePicture(0, kSafetyNet); }));
   };
   RcServerClient client(optionsFor(server_), callbacks);
   self = &client;

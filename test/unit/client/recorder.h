@@ -11,81 +11,73 @@
 #include "aibo_client/rcserver_client.h"
 #include "support/safety_net.h"
 
-/// Keeps what a client reports through its callbacks, and waits for it. Must outlive the client.
+/// What a client has reported through its callbacks.
+struct Reports {
+  std::vector<aibo_client::PicturePtr> pictures;
+  std::vector<aibo_client::ConnectionStatus> statuses;
+  std::vector<bool> streaming;
+  std::vector<aibo_client::Telemetry> telemetry;
+  std::string orders;      ///< that were refused, and why, as in "7:too old; "
+  std::string sound_ends;  ///< such as "1 lost"
+  std::vector<std::string> log;
+};
+
+/// Keeps what a client reports, and waits for it. Must outlive the client.
 class Recorder {
  public:
   aibo_client::Callbacks callbacks() {
     aibo_client::Callbacks callbacks;
     callbacks.on_picture = [this](const aibo_client::PicturePtr& picture) {
-      change([&] { pictures_.push_back(picture); });
+      change([&] { reports_.pictures.push_back(picture); });
     };
     callbacks.on_status = [this](const aibo_client::ConnectionStatus& status) {
-      change([&] { statuses_.push_back(status); });
+      change([&] { reports_.statuses.push_back(status); });
     };
-    callbacks.on_streaming = [this](bool streaming) { change([&] { streaming_.push_back(streaming); }); };
+    callbacks.on_streaming = [this](bool streaming) { change([&] { reports_.streaming.push_back(streaming); }); };
     callbacks.on_telemetry = [this](const aibo_client::Telemetry& telemetry) {
-      change([&] { telemetry_.push_back(telemetry); });
+      change([&] { reports_.telemetry.push_back(telemetry); });
     };
     callbacks.on_refused = [this](const aibo_client::Refusal& refusal) {
-      change([&] { orders_ += std::to_string(refusal.order) + ":" + refusal.reason + "; "; });
+      change([&] { reports_.orders += std::to_string(refusal.order) + ":" + refusal.reason + "; "; });
     };
     callbacks.on_sound_ended = [this](const aibo_client::SoundEnd& end) {
       change([&] {
-        sound_ends_ += std::to_string(end.sound) + (end.how == aibo_client::EndedHow::kLost ? " lost" : " ended");
+        reports_.sound_ends +=
+            std::to_string(end.sound) + (end.how == aibo_client::EndedHow::kLost ? " lost" : " ended");
       });
     };
-    callbacks.log = [this](aibo_client::LogLevel, const std::string& line) { change([&] { log_.push_back(line); }); };
+    callbacks.log = [this](aibo_client::LogLevel, const std::string& line) {
+      change([&] { reports_.log.push_back(line); });
+    };
     return callbacks;
   }
 
   /// Waits until the last status is this one.
   /// @return false if it is not within a generous time
   bool waitForState(aibo_client::ConnectionState state) {
-    return waitFor([this, state] { return !statuses_.empty() && statuses_.back().state == state; });
+    return waitFor([this, state] { return !reports_.statuses.empty() && reports_.statuses.back().state == state; });
   }
 
   /// Waits until some status had a reason that contains this text.
   bool waitForReason(const std::string& text) {
     return waitFor([this, &text] {
-      return std::any_of(statuses_.begin(), statuses_.end(), [&text](const aibo_client::ConnectionStatus& status) {
-        return status.reason.find(text) != std::string::npos && !status.advice.empty();
-      });
+      return std::any_of(reports_.statuses.begin(), reports_.statuses.end(),
+                         [&text](const aibo_client::ConnectionStatus& status) {
+                           return status.reason.find(text) != std::string::npos && !status.advice.empty();
+                         });
     });
   }
 
-  bool waitForTelemetry(std::size_t count) {
-    return waitFor([this, count] { return telemetry_.size() >= count; });
-  }
-
-  /// Waits until the ends of sounds so far are these, such as "1 lost".
-  bool waitForSoundEnds(const std::string& ends) {
-    return waitFor([&] { return sound_ends_ == ends; });
-  }
-
-  bool waitForStreaming(const std::vector<bool>& history) {
-    return waitFor([this, &history] { return streaming_ == history; });
-  }
-
-  std::vector<aibo_client::PicturePtr> pictures() const {
+  /// What was reported so far.
+  Reports reports() const {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return pictures_;
-  }
-
-  std::vector<aibo_client::Telemetry> telemetry() const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return telemetry_;
-  }
-
-  /// Orders that were refused, and why, as in "7:too old; ".
-  std::string orders() const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return orders_;
+    return reports_;
   }
 
   /// Lines logged that contain this text.
   long logged(const std::string& text) const {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return std::count_if(log_.begin(), log_.end(),
+    return std::count_if(reports_.log.begin(), reports_.log.end(),
                          [&text](const std::string& line) { return line.find(text) != std::string::npos; });
   }
 
@@ -105,13 +97,7 @@ class Recorder {
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  std::vector<aibo_client::PicturePtr> pictures_;
-  std::vector<aibo_client::ConnectionStatus> statuses_;
-  std::vector<bool> streaming_;
-  std::vector<aibo_client::Telemetry> telemetry_;
-  std::string orders_;
-  std::string sound_ends_;
-  std::vector<std::string> log_;
+  Reports reports_;
 };
 
 #endif  // TEST_UNIT_CLIENT_RECORDER_H

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "client/fault.h"
+#include "support/refusal.h"
 #include "support/test_pictures.h"
 
 using aibo_client::ProtocolException;
@@ -42,12 +43,7 @@ class ReplyParserTest : public testing::Test {
   }
 
   std::string complaintAbout(const Bytes& bytes) {
-    try {
-      feed(bytes);
-    } catch (const ProtocolException& error) {
-      return error.what();
-    }
-    return "";
+    return test_support::refusalOf<ProtocolException>([&] { feed(bytes); });
   }
 
   ReplyParser parser_;

@@ -140,7 +140,7 @@ class Requests : public ClientFixture {
   template <typename Expected>
   std::future<std::string> complaintInBackground(const CallRow& row) {
     return std::async(std::launch::async,
-                      [this, &row] { return complaintOf<Expected>([&] { inBackground(row).get(); }); });
+                      [this, &row] { return refusalOf<Expected>([&] { inBackground(row).get(); }); });
   }
 
   static void answer(ScriptedPeer* peer, const version2_frames::Frame& request, char kind, const Bytes& payload) {
@@ -253,7 +253,7 @@ TEST_F(Requests, WaitAsLongAsTheyAreTold) {
   const ScriptedPeer silent = connectVersion2(kNeeded);
   for (std::size_t i = 0; i < kCalls.size(); ++i) {
     const milliseconds time(10 + static_cast<int>(i));
-    EXPECT_THAT(complaintOf<TimeoutException>([&] { kCalls[i].call(client_, time); }),
+    EXPECT_THAT(refusalOf<TimeoutException>([&] { kCalls[i].call(client_, time); }),
                 HasSubstr(" within " + std::to_string(time.count()) + " ms"))
         << kCalls[i].words;
   }
@@ -273,9 +273,9 @@ TEST_F(Requests, WithoutAConnectionAreRefusedAndNotKept) {
 
 TEST_F(Requests, ThatTheServerDoesNotKnowAreRefusedByName) {
   const ScriptedPeer peer = connectVersion2("F W");
-  EXPECT_THAT(complaintOf<CommandException>([this] { client_.steer(kWalk); }),
+  EXPECT_THAT(refusalOf<CommandException>([this] { client_.steer(kWalk); }),
               AllOf(HasSubstr("(a test 1.0)"), HasSubstr("cannot walk: its robot does not walk")));
-  EXPECT_THAT(complaintOf<CommandException>([this] { client_.takePosture(Posture::kSit, seconds(1)); }),
+  EXPECT_THAT(refusalOf<CommandException>([this] { client_.takePosture(Posture::kSit, seconds(1)); }),
               HasSubstr("cannot take the posture sit: its robot does not walk"));
 }
 
@@ -401,7 +401,7 @@ TEST_F(Requests, ForAPictureRefuseAFileThatIsNone) {
   ScriptedPeer peer = connectVersion2();
   for (const Bytes& content : {bytesOf("no JPEG"), Bytes(kPictureOnTheStick.begin(), kPictureOnTheStick.end() - 9)}) {
     auto complaint = std::async(std::launch::async, [this] {
-      return complaintOf<CommandException>([this] { client_.fetchPicture("A.JPG", test_support::kSafetyNet); });
+      return refusalOf<CommandException>([this] { client_.fetchPicture("A.JPG", test_support::kSafetyNet); });
     });
     answer(&peer, peer.readRequest(), 'y', content);
     EXPECT_THAT(complaint.get(), HasSubstr("has sent A.JPG, which is not a picture of its camera: "));

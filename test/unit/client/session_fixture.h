@@ -17,6 +17,7 @@
 #include "client/connection.h"
 #include "client/session.h"
 #include "support/calls.h"
+#include "support/refusal.h"
 #include "support/test_pictures.h"
 
 /// The robot's frame when it says hello: ten before its numbers begin again.
@@ -71,12 +72,7 @@ class SessionFixture : public testing::Test {
   /// @return why the robot is given up while this is done; empty if it is not
   template <typename Act>
   static std::string whyGivenUp(const Act& act) {
-    try {
-      act();
-    } catch (const aibo_client::Exception& problem) {
-      return problem.what();
-    }
-    return "";
+    return test_support::refusalOf<aibo_client::Exception>(act);
   }
   std::string whyGivenUpWithin(TimePoint::duration time) {
     return whyGivenUp([this, time] { pass(time); });

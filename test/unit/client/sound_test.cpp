@@ -319,7 +319,7 @@ TEST_F(SoundClientTest, ASoundIsLostWithItsConnection) {
   acceptSamples(&peer);
   const std::uint64_t sound = first.get().sound;
   peer.reset();
-  EXPECT_TRUE(recorder_.waitForSoundEnds(std::to_string(sound) + " lost"));
+  EXPECT_TRUE(eventually([&] { return recorder_.reports().sound_ends == std::to_string(sound) + " lost"; }));
   const ScriptedPeer next = connectVersion2("F A");
   expectOver(sound);
 }

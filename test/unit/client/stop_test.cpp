@@ -93,11 +93,11 @@ TEST_F(StopTest, WhileTheStreamIsRunning) {
     } catch (const std::exception&) {  // the client has gone
     }
   });
-  ASSERT_TRUE(eventually([this] { return recorder_.pictures().size() >= 10; }));
+  ASSERT_TRUE(eventually([this] { return recorder_.reports().pictures.size() >= 10; }));
   expectToStopSoon(&client_);
-  const std::size_t pictures = recorder_.pictures().size();
+  const std::size_t pictures = recorder_.reports().pictures.size();
   robot.wait();
-  EXPECT_EQ(pictures, recorder_.pictures().size());
+  EXPECT_EQ(pictures, recorder_.reports().pictures.size());
 }
 
 TEST_F(StopTest, EndsCallsThatWait) {
