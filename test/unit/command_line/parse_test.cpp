@@ -6,11 +6,10 @@
 #include <cstdlib>
 
 #include "aibo_client/exceptions.h"
+#include "support/refusal.h"
 
 namespace aibo_driver::command_line {
 namespace {
-
-using ::testing::ElementsAre;
 
 class Parse : public ::testing::Test {
  protected:
@@ -29,7 +28,7 @@ TEST_F(Parse, OptionsMayBeAnywhere) {
     EXPECT_EQ(line.arguments.robot.timeout, std::chrono::seconds(6));
     EXPECT_EQ(line.arguments.robot.port, 4);
     EXPECT_EQ(line.arguments.robot.host, "robot");
-    EXPECT_THAT(line.arguments.words, ElementsAre("mouth=-3deg"));
+    EXPECT_THAT(line.arguments.words, testing::ElementsAre("mouth=-3deg"));
     EXPECT_EQ(line.arguments.get("duration"), "2");
   }
   EXPECT_EQ(parse({"joints", "--port", "4"}).arguments.robot.port, 4);
@@ -64,12 +63,8 @@ TEST_F(Parse, RefusesWhatNoCommandHas) {
        {std::pair{Words{"upload"}, "usage: aibo upload FILE [NAME] (`aibo help upload` has examples)"},
         {Words{"joints", "--duration", "1"},
          "unrecognised option '--duration' (`aibo help` lists commands and options)"}}) {
-    try {
-      parse(words);
-      ADD_FAILURE() << reason;
-    } catch (const aibo_client::InvalidArgumentException& error) {
-      EXPECT_STREQ(error.what(), reason);
-    }
+    EXPECT_EQ(test_support::refusalOf<aibo_client::InvalidArgumentException>([&words = words] { parse(words); }),
+              reason);
   }
   EXPECT_EQ(parse({"upload", "a", "b"}).arguments.words.size(), 2U);
   EXPECT_EQ(parse({"say", "a", "b", "c", "d"}).arguments.words.size(), 4U);

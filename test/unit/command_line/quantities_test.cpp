@@ -2,10 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
-#include <utility>
-
 #include "aibo_client/exceptions.h"
+#include "support/refusal.h"
 
 namespace aibo_driver::command_line {
 
@@ -14,6 +12,11 @@ using aibo_client::InvalidArgumentException;
 namespace {
 
 constexpr double kTolerance = 1e-9;
+
+template <typename Function>
+std::string refusalOf(const Function& function) {
+  return test_support::refusalOf<InvalidArgumentException>(function);
+}
 
 TEST(Quantity, HasAUnit) {
   EXPECT_NEAR(parseAngle("head_pan", "180deg"), 3.14159265358979, kTolerance);
@@ -36,12 +39,8 @@ TEST(Quantity, RefusalSaysWhatIsMissing) {
   for (const auto& [parse, allowed] : {std::pair<Parser*, const char*>(parseAngle, "30deg or 0.52rad"),
                                        {parseAngularSpeed, "30deg/s or 0.52rad/s"},
                                        {parseSpeed, "0.1m/s, 10cm/s or 100mm/s"}}) {
-    try {
-      parse("head_pan", "30");
-      FAIL();
-    } catch (const InvalidArgumentException& error) {
-      EXPECT_EQ(error.what(), "head_pan cannot be '30': give a number with its unit: " + std::string(allowed));
-    }
+    EXPECT_EQ(refusalOf([parse = parse] { parse("head_pan", "30"); }),
+              "head_pan cannot be '30': give a number with its unit: " + std::string(allowed));
   }
 }
 
@@ -50,12 +49,8 @@ TEST(Number, KeepsToItsRange) {
   EXPECT_EQ(parseNumber("--seconds", "0.1", 0.1, 60), 0.1);
   EXPECT_EQ(parseNumber("--seconds", "60", 0.1, 60), 60);
   for (const char* const text : {"60.1", "0", "-1", "1s", "nan", ""}) {
-    try {
-      parseNumber("--seconds", text, 0.1, 60);
-      ADD_FAILURE() << text;
-    } catch (const InvalidArgumentException& error) {
-      EXPECT_EQ(error.what(), "--seconds cannot be '" + std::string(text) + "': give a number from 0.1 to 60");
-    }
+    EXPECT_EQ(refusalOf([text] { parseNumber("--seconds", text, 0.1, 60); }),
+              "--seconds cannot be '" + std::string(text) + "': give a number from 0.1 to 60");
   }
 }
 
@@ -63,12 +58,8 @@ TEST(WholeNumber, IsRefusedWithWhatIsAllowed) {
   EXPECT_EQ(parseWholeNumber("--port", "1", 1, 65535), 1);
   EXPECT_EQ(parseWholeNumber("--port", "65535", 1, 65535), 65535);
   for (const char* const text : {"", "x", "0", "65536", "1.5", "9 ", "1e99", "nan"}) {
-    try {
-      parseWholeNumber("--port", text, 1, 65535);
-      ADD_FAILURE() << text;
-    } catch (const InvalidArgumentException& error) {
-      EXPECT_EQ(error.what(), "--port cannot be '" + std::string(text) + "': give a whole number from 1 to 65535");
-    }
+    EXPECT_EQ(refusalOf([text] { parseWholeNumber("--port", text, 1, 65535); }),
+              "--port cannot be '" + std::string(text) + "': give a whole number from 1 to 65535");
   }
 }
 
