@@ -3,8 +3,8 @@
 
 #include <gmock/gmock.h>
 
-#include <condition_variable>
-#include <mutex>
+#include <atomic>
+#include <future>
 
 #include "support/fake_client.h"
 #include "support/safety_net.h"
@@ -31,37 +31,24 @@ class Ramp : public Source {
   std::int16_t next_ = 0;
 };
 
-/// A robot that takes samples.
-class Robot : public test_support::FakeClient {
- public:
-  Robot() {
-    on_samples = [this](bool is_last) {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      has_last_ = is_last;
-      changed_.notify_all();
-    };
-  }
-
-  void waitForLast() {
-    std::unique_lock<std::mutex> lock(mutex_);
-    EXPECT_TRUE(changed_.wait_for(lock, test_support::kSafetyNet, [this] { return has_last_; }));
-  }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  bool has_last_ = false;
-};
-
 class PlayerTest : public testing::Test {
  protected:
-  Robot robot_;
+  PlayerTest() {
+    robot_.on_samples = [this](bool is_last) { has_last_ = is_last; };
+  }
+
+  bool hasLast() {
+    return test_support::eventually([this] { return has_last_.load(); });
+  }
+
+  std::atomic<bool> has_last_{false};
+  test_support::FakeClient robot_;
   Player player_{robot_};
 };
 
 TEST_F(PlayerTest, AllSamplesAreSentInPieces) {
   const auto playback = player_.play(std::make_unique<Ramp>(2 * kMostSamplesAtOnce + 100));
-  robot_.waitForLast();
+  ASSERT_TRUE(hasLast());
   EXPECT_THAT(robot_.told, testing::ElementsAre("samples 2048", "samples 2048", "samples 100 last"));
   ASSERT_EQ(2 * kMostSamplesAtOnce + 100, robot_.played.size());
   EXPECT_TRUE(std::is_sorted(robot_.played.begin(), robot_.played.end()));
@@ -96,7 +83,7 @@ TEST_F(PlayerTest, NoMoreIsSentThanTheRobotHasRoomFor) {
   robot_.room_for_samples = 0;
   const auto begin = std::chrono::steady_clock::now();
   player_.play(std::make_unique<Ramp>(2 * kMostSamplesAtOnce));
-  robot_.waitForLast();
+  ASSERT_TRUE(hasLast());
   // Until then, the robot has played what was sent.
   EXPECT_LE(std::chrono::milliseconds(128), std::chrono::steady_clock::now() - begin);
 }
