@@ -2,17 +2,12 @@
 
 #include <gmock/gmock.h>
 
-#include <string>
-#include <vector>
-
 #include "support/process.h"
 #include "support/safety_net.h"
 #include "support/temporary_folder.h"
 #include "support/test_pictures.h"
 
 namespace {
-
-using ::testing::HasSubstr;
 
 TEST(ColorTableProgram, SaysWhichArgumentIsWrong) {
   const test_support::TemporaryFolder folder;
@@ -45,7 +40,7 @@ TEST(ColorTableProgram, SaysWhichArgumentIsWrong) {
     command.insert(command.end(), row.arguments.begin(), row.arguments.end());
     test_support::Process program(command);
     EXPECT_EQ(program.waitForExit(test_support::kSafetyNet), 1) << row.problem;
-    EXPECT_THAT(program.output(), HasSubstr(row.problem));
+    EXPECT_THAT(program.output(), testing::HasSubstr(row.problem));
   }
 }
 

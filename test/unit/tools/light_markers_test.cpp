@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <set>
-#include <tuple>
 
 #include "robot_model/robot_model.h"
 

@@ -1,12 +1,12 @@
 #include "tools/teleop/terminal.h"
 
 #include <gmock/gmock.h>
-#include <pty.h>
-#include <unistd.h>
+#include <termios.h>
 
 #include <cstring>
 #include <stdexcept>
 
+#include "support/pseudo_terminal.h"
 #include "tools/teleop/key_steering.h"
 
 namespace teleop {
@@ -14,45 +14,27 @@ namespace {
 
 using std::chrono::seconds;
 
-// A pseudo terminal: what the user types, and the program's end.
 class TerminalTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (::openpty(&keyboard_, &terminal_, nullptr, nullptr, nullptr) != 0) {
+    if (!user_.exists()) {
       GTEST_SKIP() << "this system gives no pseudo terminal: is /dev/pts mounted?";
     }
   }
 
-  ~TerminalTest() override {
-    closeKeyboard();
-    ::close(terminal_);
-  }
-
-  void closeKeyboard() {
-    if (keyboard_ >= 0) {
-      ::close(keyboard_);
-      keyboard_ = -1;
-    }
-  }
-
-  void type(const std::string& keys) {
-    EXPECT_EQ(::write(keyboard_, keys.data(), keys.size()), static_cast<ssize_t>(keys.size()));
-  }
-
   termios settings() const {
     termios settings{};
-    EXPECT_EQ(::tcgetattr(terminal_, &settings), 0);
+    EXPECT_EQ(::tcgetattr(user_.descriptor(), &settings), 0);
     return settings;
   }
 
-  int keyboard_ = -1;
-  int terminal_ = -1;
+  test_support::PseudoTerminal user_;
 };
 
 TEST_F(TerminalTest, DoesNotShowTheKeysAndIsThenAsBefore) {
   const termios before = settings();
   {
-    const Terminal terminal(terminal_);
+    const Terminal terminal(user_.descriptor());
     EXPECT_EQ(settings().c_lflag & (ECHO | ICANON | ISIG), static_cast<tcflag_t>(ISIG)) << "Ctrl-C interrupts";
   }
   const termios after = settings();
@@ -60,15 +42,15 @@ TEST_F(TerminalTest, DoesNotShowTheKeysAndIsThenAsBefore) {
 }
 
 TEST_F(TerminalTest, SaysThatItWasClosed) {
-  Terminal terminal(terminal_);
-  closeKeyboard();
+  Terminal terminal(user_.descriptor());
+  user_.close();
   EXPECT_THROW(terminal.readKey(seconds(20)), std::runtime_error);
 }
 
 TEST_F(TerminalTest, AKeyIsGivenAtOnceAndASpecialKeyIsOneKey) {
-  Terminal terminal(terminal_);
+  Terminal terminal(user_.descriptor());
   const auto key = [&](const std::string& bytes) {
-    type(bytes + "k");
+    user_.type(bytes + "k");
     const std::optional<char> first = terminal.readKey(seconds(10));
     EXPECT_EQ('k', terminal.readKey(seconds(10))) << "nothing of it is left";
     return first;
@@ -83,9 +65,9 @@ TEST_F(TerminalTest, AKeyIsGivenAtOnceAndASpecialKeyIsOneKey) {
   }
   EXPECT_EQ(kOtherSpecialKey, key("\x1b[3~")) << "Delete";
   EXPECT_EQ(kOtherSpecialKey, key("\x1b[1;5A")) << "Ctrl with an arrow";
-  type("\x1b");
+  user_.type("\x1b");
   EXPECT_EQ(kOtherSpecialKey, terminal.readKey(seconds(10))) << "Escape";
-  type("\x1b[");
+  user_.type("\x1b[");
   EXPECT_EQ(kOtherSpecialKey, terminal.readKey(seconds(10))) << "cut";
 }
 
