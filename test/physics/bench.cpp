@@ -101,8 +101,6 @@ void Bench::hear(const test_support::Frame& frame) {
   if (version2::isError(frame.header.kind, size)) {
     decode(payload, size, &error);
     errors_.emplace_back(error.text, error.text_size);
-  } else if (frame.header.kind == version2::replyKind(version2::REQUEST_HELLO)) {
-    decodeHello(payload, size, &hello_);
   } else if (frame.header.kind == version2::END_PUSH && decode(payload, size, &end) == nullptr) {
     ends_.push_back({end.what, end.how, {end.name, end.name_size}, {end.reason, end.reason_size}});
   } else if (frame.header.kind == version2::TELEMETRY_PUSH && frame.header.request_number == 0) {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "physical_ers7.h"
-#include "protocol/hello.h"
 #include "protocol/version2.h"
 #include "protocol/walk_requests.h"
 #include "simulator/openr_host/clock.h"
@@ -43,7 +42,6 @@ class Bench {
   explicit Bench(const World& world = World());
 
   PhysicalErs7& robot() { return robot_; }
-  const protocol::version2::Hello& hello() const { return hello_; }
 
   /// From now on, the client steers ten times a second.
   void steer(const Velocity& velocity);
@@ -85,7 +83,6 @@ class Bench {
   openr_host::SteppedClock clock_;
   std::unique_ptr<openr_host::Machine> machine_;
   std::unique_ptr<test_support::TestClient> client_;
-  protocol::version2::Hello hello_ = {};
   unsigned short last_number_ = 0;
   bool steering_ = false;
   Velocity wanted_{};

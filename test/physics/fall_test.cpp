@@ -51,12 +51,4 @@ TEST_F(Fall, IsNotSeenInAPushThatTheRobotWithstands) {
   EXPECT_LT(bench_.robot().tilt(), 0.2);
 }
 
-TEST_F(Fall, InAHandTheWalkEnds) {
-  walk();
-  bench_.robot().hold(0.3);
-  const physics::End end = bench_.awaitEnd(version2::ENDED_WALK, 3);
-  EXPECT_EQ(end.how, version2::END_FELL);
-  EXPECT_THAT(end.reason, testing::HasSubstr("carried"));
-}
-
 }  // namespace

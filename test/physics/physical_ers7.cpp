@@ -116,10 +116,6 @@ void PhysicalErs7::push(const Vector3d& force) {
   std::copy_n(force.data(), 3, state_->xfrc_applied + 6 * body_);
 }
 
-void PhysicalErs7::hold(double height) {
-  held_at_ = height;
-}
-
 OStatus PhysicalErs7::forServos(OPrimitiveID id, const std::function<OStatus(std::size_t, Servo&)>& action) {
   for (std::size_t i = 0; i < servos_.size(); ++i) {
     const OPrimitiveID primitive = simulated_ers7::jointPrimitive(i);
@@ -235,18 +231,6 @@ void PhysicalErs7::driveMotors() {
     state_->ctrl[servo.motor] = servo.duty * world_.stall_torque;
     // The motor's own voltage, which brakes it: MuJoCo integrates damping implicitly, so it may be strong.
     physics_->dof_damping[servo.speed_address] = driven ? world_.stall_torque / highestSpeed(i) : kLooseFriction;
-  }
-  if (held_at_ > 0) {
-    const Isometry3d pose = body();
-    const double* speed = state_->qvel;
-    double* force = state_->xfrc_applied + 6 * body_;
-    const double weight = 9.81 * mj_getTotalmass(physics_.get());
-    const Vector3d tilt = (pose.linear() * Vector3d::UnitZ()).cross(Vector3d::UnitZ());
-    force[2] = weight + 200 * (held_at_ - pose.translation().z());
-    for (int axis = 0; axis < 3; ++axis) {
-      force[axis] -= 30 * speed[axis];
-      force[3 + axis] = 5 * tilt[axis] - 0.2 * (pose.linear() * Eigen::Map<const Vector3d>(speed + 3))[axis];
-    }
   }
 }
 

@@ -71,9 +71,6 @@ class PhysicalErs7 : public openr_host::VirtualRobot {
   /// A force on the middle of the body until the next call, in newton in the room.
   void push(const Eigen::Vector3d& force);
 
-  /// A hand holds the body at a height over the floor, in metres, and level.
-  void hold(double height);
-
   /// @name The true state after the last frame
   /// @{
   Eigen::Isometry3d body() const;                 ///< in the room, metres
@@ -127,7 +124,6 @@ class PhysicalErs7 : public openr_host::VirtualRobot {
   simulated_ers7::Battery battery_{90};
   simulated_ers7::RegionPool regions_;
   bool powered_ = false;
-  double held_at_ = 0;  ///< metres; 0: not held
 };
 
 }  // namespace physics

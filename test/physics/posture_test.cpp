@@ -11,46 +11,25 @@ using version2::Posture;
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
 
-/// A robot that takes postures. It must not tip over on the way.
-class PostureTaker {
- public:
-  explicit PostureTaker(const World& world = World()) : bench_(world) {}
-
-  void take(Posture posture) {
-    bench_.take(posture);
-    awaitArrival(posture);
+/// Lets the robot take a posture. It must not tip over on the way.
+void take(physics::Bench& bench, Posture posture) {
+  SCOPED_TRACE(postureName(posture));
+  const size_t before = bench.ends().size();
+  bench.take(posture);
+  double highest_tilt = 0;
+  int frames_afterwards = 0;
+  for (int i = 0; i < 20 * 125 && frames_afterwards < 125; ++i) {
+    bench.passFrame();
+    highest_tilt = std::max(highest_tilt, bench.robot().tilt());
+    frames_afterwards += bench.ends().size() > before ? 1 : 0;
   }
-
-  void awaitArrival(Posture posture) {
-    SCOPED_TRACE(postureName(posture));
-    const size_t before = bench_.ends().size();
-    for (int i = 0; i < 20 * 125 && bench_.ends().size() == before; ++i) {
-      passFrame();
-    }
-    ASSERT_GT(bench_.ends().size(), before)
-        << "it does not arrive: " << (bench_.errors().empty() ? "no error" : bench_.errors().back());
-    const physics::End& end = bench_.ends().back();
-    EXPECT_EQ(end.what, version2::ENDED_POSTURE);
-    EXPECT_EQ(end.how, version2::END_DONE) << end.reason;
-    EXPECT_EQ(end.name, postureName(posture));
-    for (int i = 0; i < 125; ++i) {
-      passFrame();
-    }
-    EXPECT_LT(highest_tilt_, 50 * kDegree);
-    highest_tilt_ = 0;
-  }
-
-  physics::Bench& bench() { return bench_; }
-
- private:
-  void passFrame() {
-    bench_.passFrame();
-    highest_tilt_ = std::max(highest_tilt_, bench_.robot().tilt());
-  }
-
-  physics::Bench bench_;
-  double highest_tilt_ = 0;
-};
+  EXPECT_LT(highest_tilt, 50 * kDegree);
+  ASSERT_GT(bench.ends().size(), before) << "it does not arrive: " << testing::PrintToString(bench.errors());
+  const physics::End& end = bench.ends().back();
+  EXPECT_EQ(end.what, version2::ENDED_POSTURE);
+  EXPECT_EQ(end.how, version2::END_DONE) << end.reason;
+  EXPECT_EQ(end.name, postureName(posture));
+}
 
 void expectStands(physics::PhysicalErs7& robot) {
   EXPECT_FALSE(robot.bodyTouchesFloor());
@@ -63,17 +42,17 @@ void expectStands(physics::PhysicalErs7& robot) {
 class Postures : public ::testing::TestWithParam<World> {};
 
 TEST_P(Postures, CanBeTakenFromEachOther) {
-  PostureTaker taker(GetParam());
+  physics::Bench bench(GetParam());
   for (const Posture posture :
        {version2::POSTURE_STAND, version2::POSTURE_SIT, version2::POSTURE_STAND, version2::POSTURE_REST,
         version2::POSTURE_SIT, version2::POSTURE_REST, version2::POSTURE_STAND}) {
-    if (!taker.bench().robot().motorsPull()) {
-      taker.bench().switchMotors(true);
+    if (!bench.robot().motorsPull()) {
+      bench.switchMotors(true);
     }
-    taker.take(posture);
-    EXPECT_EQ(taker.bench().robot().motorsPull(), posture != version2::POSTURE_REST);
+    take(bench, posture);
+    EXPECT_EQ(bench.robot().motorsPull(), posture != version2::POSTURE_REST);
     if (posture == version2::POSTURE_STAND) {
-      expectStands(taker.bench().robot());
+      expectStands(bench.robot());
     }
   }
 }

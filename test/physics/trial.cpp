@@ -6,6 +6,8 @@
 #include <ostream>
 #include <random>
 
+#include "rcserver/walk/Gait.h"
+
 namespace physics {
 namespace {
 
@@ -309,8 +311,8 @@ std::vector<Direction> directionsWithin(const protocol::version2::WalkLimits& li
 }
 
 protocol::version2::WalkLimits walkLimits() {
-  static const protocol::version2::WalkLimits limits = Bench().hello().walk;
-  return limits;
+  const GaitParameters gait;
+  return {gait.fastest, gait.highest.back, gait.highest.left, gait.highest.turn};
 }
 
 Commands randomly(const protocol::version2::WalkLimits& limits, unsigned seed) {

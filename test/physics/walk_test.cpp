@@ -85,19 +85,6 @@ TEST(Walk, GoesStraightAheadAndBackForLong) {
   }
 }
 
-TEST(Walk, IsSlowWithWeakMotorsToo) {
-  std::vector<double> missing;
-  for (World world : physics::sampleOfWorlds(kWorlds, 1)) {
-    world.stall_torque = 0.7;
-    SCOPED_TRACE(describe(world));
-    const Record record = physics::walk(world, physics::always({0.03, 0, 0}), kSecondsOfDirection);
-    EXPECT_FALSE(record.fell);
-    missing.push_back(errorOf(record, 0.03, 0));
-  }
-  EXPECT_LT(spreadOf(missing).middle, 0.1);
-  EXPECT_LT(spreadOf(missing).highest, 0.3);
-}
-
 TEST(Walk, KeepsItsBalanceOnSlopes) {
   for (const std::size_t floor : {4U, 5U}) {  // 6 degrees up and to the left
     std::vector<double> missing;
