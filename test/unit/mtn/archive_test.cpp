@@ -18,6 +18,7 @@ namespace {
 
 using motion_tool::ArchivedFile;
 using motion_tool::fileNameOf;
+using test_support::contentOf;
 using test_support::gzipped;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -53,11 +54,6 @@ std::string archiveOf(const std::vector<ArchivedFile>& files) {
 
 std::string problemOf(const std::string& bytes) {
   return test_support::refusalOf<std::runtime_error>([&] { motion_tool::readArchive(bytes); });
-}
-
-std::string contentOf(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
 const std::vector<ArchivedFile> kFiles = {{"a_sit#wave", "OMTN..."}, {"bark", "RIFF"}, {"growl", "RIF"}};

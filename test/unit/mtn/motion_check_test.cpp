@@ -4,19 +4,6 @@
 
 namespace {
 
-// A motion in text form, with another robot's name in its file.
-struct MotionOf {
-  explicit MotionOf(const std::string& key_frames, const std::string& design = "DRX-1000") {
-    motion_tool::KeyFrameMotion content = motion_tool::parseTextForm("robot ERS-7\n" + key_frames);
-    content.design = design;
-    bytes = motion_tool::encodeMtn(content);
-    EXPECT_TRUE(motion.read(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size())) << motion.problem();
-  }
-
-  std::string bytes;
-  mtn::Motion motion;
-};
-
 // Sony's motions name their robot in many ways.
 TEST(MotionCheck, JointsDecideWhichRobotAMotionIsFor) {
   const struct {
@@ -35,8 +22,12 @@ TEST(MotionCheck, JointsDecideWhichRobotAMotionIsFor) {
       {"at 0 PRM:/r9/c1-Joint2:91 0\n", "DRX-1000", nullptr},
   };
   for (const auto& row : rows) {
-    const MotionOf of(row.key_frames, row.design);
-    const robot_model::RobotModel* robot = motion_tool::robotOf(of.motion);
+    motion_tool::KeyFrameMotion content = motion_tool::parseTextForm(std::string("robot ERS-7\n") + row.key_frames);
+    content.design = row.design;
+    const std::string bytes = motion_tool::encodeMtn(content);
+    mtn::Motion motion;
+    EXPECT_TRUE(motion.read(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size())) << motion.problem();
+    const robot_model::RobotModel* robot = motion_tool::robotOf(motion);
     EXPECT_EQ(robot, row.robot == nullptr ? nullptr : robot_model::findRobotModel(row.robot)) << row.key_frames;
   }
 }

@@ -1,31 +1,27 @@
 // The motions on the memory stick.
 #include <gmock/gmock.h>
 
-#include <fstream>
-
 #include "motion_tool/motion_tool.h"
 #include "mtn/motion.h"
+#include "support/temporary_folder.h"
 
 namespace {
 
-const char* const kMotions[] = {"LIE", "NOD", "WAG", "SIT"};
+using test_support::contentOf;
 
-std::string fileOf(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
+const char* const kMotions[] = {"LIE", "NOD", "WAG", "SIT"};
 
 TEST(ShippedMotions, AreMadeFromTheirSources) {
   for (const std::string name : kMotions) {
-    const std::string source = fileOf(MOTION_SOURCES "/" + name + ".txt");
-    EXPECT_EQ(fileOf(MOTIONS "/" + name + ".MTN"), motion_tool::encodeMtn(motion_tool::parseTextForm(source)))
+    const std::string source = contentOf(MOTION_SOURCES "/" + name + ".txt");
+    EXPECT_EQ(contentOf(MOTIONS "/" + name + ".MTN"), motion_tool::encodeMtn(motion_tool::parseTextForm(source)))
         << name << ": make it again: docs/motions.md";
   }
 }
 
 TEST(ShippedMotions, CanBeDoneByAnErs7AndEndWhereTheyBegan) {
   for (const std::string name : kMotions) {
-    const std::string bytes = fileOf(MOTIONS "/" + name + ".MTN");
+    const std::string bytes = contentOf(MOTIONS "/" + name + ".MTN");
     mtn::Motion motion;
     ASSERT_TRUE(motion.read(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size())) << motion.problem();
     EXPECT_EQ(motion_tool::describeChanges(motion, *robot_model::findRobotModel("ERS-7")), "") << name;

@@ -103,8 +103,7 @@ TEST_F(SimulatedSoundTest, AFileOfAnotherProgramIsHeardWithoutItsOtherChunks) {
   SpeakerFrame frame{};
   frame[0] = 1000;
   WavWriter(path).write(frame);
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes(std::istreambuf_iterator<char>(file), {});
+  std::string bytes = test_support::contentOf(path);
   for (const std::size_t place : {36, 12}) {  // before the samples, and before the format
     bytes.insert(place, "LIST\3\0\0\0abc\0", 12);
   }
