@@ -357,10 +357,6 @@ TEST(Payloads, AreRefusedForTheRightReason) {
   }
 }
 
-TEST(Payloads, TurnSmallLettersOfNamesIntoCapitals) {
-  EXPECT_STREQ(decoded<MotionToDelete>(bytesOf("wag.mtn")).name, "WAG.MTN");
-}
-
 }  // namespace
 }  // namespace version2
 }  // namespace protocol

@@ -5,39 +5,19 @@
 #include <algorithm>
 #include <random>
 
-#include "bytes.h"
+#include "layouts.h"
 
 namespace protocol {
 namespace version2 {
 namespace {
 
-struct Frame {
-  FrameHeader header;
-  Bytes payload;
-};
-
-bool operator==(const Frame& a, const Frame& b) {
-  return a.header.kind == b.header.kind && a.header.id == b.header.id &&
-         a.header.request_number == b.header.request_number && a.payload == b.payload;
-}
-
-Frame frameOf(char kind, unsigned char id, unsigned short request_number, const Bytes& payload) {
-  return Frame{{kind, id, request_number, static_cast<unsigned>(payload.size())}, payload};
-}
-
-Bytes encode(const Frame& frame) {
-  Bytes bytes(FRAME_HEADER_SIZE);
-  encode(frame.header, bytes.data());
-  return bytes + frame.payload;
-}
-
 class FrameReaderTest : public ::testing::Test {
  protected:
   static constexpr size_t kCapacity = 1000;
 
-  // Returns all frames in the bytes; fails if one is too large.
-  std::vector<Frame> receive(const Bytes& bytes) {
-    std::vector<Frame> frames;
+  // All frames in the bytes, encoded again; fails if one is too large.
+  Bytes receive(const Bytes& bytes) {
+    Bytes frames;
     for (size_t used = 0; used < bytes.size();) {
       size_t taken = 0;
       const FrameReader::Result result = reader_.append(bytes.data() + used, bytes.size() - used, &taken);
@@ -46,7 +26,7 @@ class FrameReaderTest : public ::testing::Test {
       used += taken;
       if (result == FrameReader::FRAME_COMPLETE) {
         const unsigned char* payload = reader_.payload();
-        frames.push_back({reader_.header(), Bytes(payload, payload + reader_.header().payload_size)});
+        frames = frames + encoded(reader_.header()) + Bytes(payload, payload + reader_.header().payload_size);
       }
     }
     return frames;
@@ -67,25 +47,23 @@ TEST_F(FrameReaderTest, RefusesFourGibibytesWithoutTouchingMemory) {
 TEST_F(FrameReaderTest, FindsTheSameFramesHoweverTheBytesAreSplitOrJoined) {
   std::mt19937 random(20061);
   const auto upTo = [&random](size_t limit) { return std::uniform_int_distribution<size_t>(0, limit)(random); };
-  std::vector<Frame> frames;
   Bytes bytes;
   for (int i = 0; i < 200; ++i) {
     Bytes payload(i % 3 == 0 ? upTo(kCapacity) : upTo(12));
     std::generate(payload.begin(), payload.end(), [&] { return static_cast<unsigned char>(upTo(255)); });
-    frames.push_back(frameOf("HFWJVTfte"[upTo(8)], static_cast<unsigned char>(upTo(255)),
-                             static_cast<unsigned short>(upTo(65535)), payload));
-    bytes = bytes + encode(frames.back());
+    const FrameHeader header = {"HFWJVTfte"[upTo(8)], static_cast<unsigned char>(upTo(255)),
+                                static_cast<unsigned short>(upTo(65535)), static_cast<unsigned>(payload.size())};
+    bytes = bytes + encoded(header) + payload;
   }
   for (const size_t longest_piece : {1U, 2U, 7U, 8U, 9U, 100U, 1460U, 1000000U}) {
-    std::vector<Frame> found;
+    Bytes found;
     for (size_t used = 0; used < bytes.size();) {
       const size_t size = std::min(1 + upTo(longest_piece - 1), bytes.size() - used);
       const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(used);
-      const std::vector<Frame> more = receive(Bytes(begin, begin + static_cast<std::ptrdiff_t>(size)));
-      found.insert(found.end(), more.begin(), more.end());
+      found = found + receive(Bytes(begin, begin + static_cast<std::ptrdiff_t>(size)));
       used += size;
     }
-    EXPECT_TRUE(found == frames) << "in pieces of up to " << longest_piece;
+    EXPECT_TRUE(found == bytes) << "in pieces of up to " << longest_piece;
   }
 }
 
