@@ -322,18 +322,6 @@ TEST_F(UdpEndpointTest, ASecondReceiveIsBusyAndClosingEndsTheFirst) {
                  {antOperation_UDPReceive, UDP_OPERATION_INVALID}});
 }
 
-TEST_F(UdpEndpointTest, APortCanBeTakenOnlyOnceUntilItIsClosed) {
-  const auto first = create();
-  const Port port = bind(first);
-  const auto other = create();
-  UDPEndpointBindMsg second(other, IP_ADDR_ANY, port);
-  call(second);
-  EXPECT_EQ(second.error, UDP_ADDRESSINUSE);
-  UDPEndpointCloseMsg close(first);
-  call(close);
-  EXPECT_EQ(bind(other, port), port);
-}
-
 TEST_F(UdpEndpointTest, DataOutsideASharedBufferOrTooLargeForAPacketIsRefused) {
   const auto endpoint = create();
   const Port port = bind(endpoint);
