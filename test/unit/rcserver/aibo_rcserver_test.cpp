@@ -11,6 +11,7 @@
 #include "rcserver_fixture.h"
 #include "support/process.h"
 #include "support/safety_net.h"
+#include "support/simulated_robot.h"
 #include "support/sockets.h"
 #include "support/temporary_folder.h"
 
@@ -22,11 +23,8 @@ using test_support::TemporaryFolder;
 using test_support::TestClient;
 using Strings = std::vector<std::string>;
 
-/// Requests of version 1; it is the name of the motion that is only on the stick of command().
-const std::string kOnePicture = "FU";
-const std::string kPlayBow = std::string("P\0BOW.MTN", 9) + std::string(5, '\0') + std::string("\1\0\0\0", 4);
-
-/// A memory stick whose path has a blank, the arguments that roslaunch adds, and among them `options`.
+/// A memory stick whose path has a blank and that alone has BOW.MTN, the arguments that roslaunch adds, and among them
+/// `options`.
 Strings command(const Strings& options = {}, const std::string& port = "0", const std::string& console_port = "0") {
   static const TemporaryFolder folder;
   const std::filesystem::path stick = folder.path("a stick");
@@ -50,12 +48,8 @@ std::string portOf(Process& robot, const std::string& address = "127.0.0.1") {
   return restOfLine(robot, "RCServer listening on " + address + ":");
 }
 
-std::uint16_t numberOf(const std::string& port) {
-  return static_cast<std::uint16_t>(std::stoi(port));
-}
-
 bool isReachable(const std::string& address, const std::string& port) {
-  const auto socket = test_support::beginConnecting(address, numberOf(port));
+  const auto socket = test_support::beginConnecting(address, std::stoi(port));
   pollfd waiting{socket.get(), POLLOUT, 0};
   EXPECT_EQ(::poll(&waiting, 1, 30000), 1);
   return (waiting.revents & POLLERR) == 0;
@@ -69,14 +63,11 @@ std::pair<int, std::string> endOf(const Strings& arguments) {
 }
 
 /// The letter of the reply of version 1; 0 if none comes.
-char letterOfAnswer(const std::string& port, const std::string& request) {
-  TestClient client(numberOf(port));
+char letterOfAnswer(int port, const std::string& request) {
+  TestClient client(static_cast<std::uint16_t>(port));
   client.send(request);
   std::optional<test_support::Reply> reply;
-  for (int i = 0; i < 3000 && !reply && !client.ended(); ++i) {
-    reply = client.next();
-    ::poll(nullptr, 0, 10);
-  }
+  test_support::eventually([&] { return (reply = client.next()).has_value() || client.ended(); });
   return reply ? reply->letter : '\0';
 }
 
@@ -121,10 +112,9 @@ TEST(AiboRCServer, GoesOnIfAMotionOnItsMemoryStickIsAPipe) {
   const std::filesystem::path stick = arguments[4].substr(arguments[4].find('=') + 1);
   ASSERT_EQ(::mkfifo((stick / "OPEN-R/MW/DATA/P/PIPE.MTN").c_str(), 0600), 0);
   Process robot(arguments);
-  const std::string port = portOf(robot);
-  const std::string play_pipe = std::string("P\0PIPE.MTN", 10) + std::string(4, '\0') + std::string("\1\0\0\0", 4);
-  EXPECT_EQ(letterOfAnswer(port, play_pipe), 'e');
-  EXPECT_EQ(letterOfAnswer(port, kOnePicture), 'f');
+  const int port = std::stoi(portOf(robot));
+  EXPECT_EQ(letterOfAnswer(port, fileRequest('P', "PIPE.MTN", 1)), 'e');
+  EXPECT_EQ(letterOfAnswer(port, fileRequest('P', "BOW.MTN", 1)), 'p');
 }
 
 TEST(AiboRCServer, IsTheModelAndHasTheBatteryThatItIsTold) {
@@ -136,20 +126,16 @@ TEST(AiboRCServer, IsTheModelAndHasTheBatteryThatItIsTold) {
 }
 
 TEST(AiboRCServer, TakesItsTimeForPicturesAndFiles) {
+  const std::string play = fileRequest('P', "NOD.MTN", 1);
   const std::tuple<Strings, std::string, std::string, char, int> cases[] = {
-      {{"--stick-time", "400"}, "full", kPlayBow, 'p', 400},
-      {{"--stick-time", "1"}, "slow", kPlayBow, 'p', 2000},
-      {{"--stick-time", "1", "--encode-time", "300"}, "slow", kOnePicture, 'f', 300}};
-  for (const auto& [options, stick, request, answer, least] : cases) {
-    Process robot(command(options));
-    TestClient console(numberOf(restOfLine(robot, "Console on 127.0.0.1:")));
-    const std::string port = portOf(robot);
-    console.send("stick " + stick + "\n");
-    for (int i = 0; i < 3000 && console.received() != "ok: stick " + stick + "\n"; ++i) {
-      ::poll(nullptr, 0, 10);
-    }
+      {{"--stick-time", "400"}, "full", play, 'p', 400},
+      {{"--stick-time", "1"}, "slow", play, 'p', 2000},
+      {{"--stick-time", "1", "--encode-time", "300"}, "slow", request('F', 85), 'f', 300}};
+  for (const auto& [options, stick, bytes, answer, least] : cases) {
+    const test_support::SimulatedRobot robot(options);
+    EXPECT_EQ(robot.type("stick " + stick), "ok: stick " + stick + "\n");
     const auto begin = std::chrono::steady_clock::now();
-    EXPECT_EQ(letterOfAnswer(port, request), answer);
+    EXPECT_EQ(letterOfAnswer(robot.port(), bytes), answer);
     EXPECT_GE(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(least)) << options[0];
   }
 }

@@ -21,22 +21,11 @@ constexpr int kFace1 = 7;      // intensity and mode
 constexpr int kLeftEar = 1;
 constexpr int kRightEar = 2;
 
-// The client speaks version 1 until a test changes that.
-class BodyTest : public FakeRobotFixture {
+class BodyTest : public Version1Fixture {
  protected:
   void SetUp() override {
     robot_.power_status.remainingCapacity = 87;
     robot_.power_status.temperature = 2982;  // 25.05 degrees Celsius
-    start();
-  }
-
-  void start() {
-    FakeRobotFixture::start();
-    client_ = connectServed();
-  }
-
-  void startWith(const std::string& settings) {
-    stick_.write(SETTINGS_FILE, settings);
     start();
   }
 

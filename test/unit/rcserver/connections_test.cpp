@@ -5,6 +5,7 @@
 
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 // The header of a frame that no server takes.
@@ -155,34 +156,13 @@ TEST_F(ConnectionsTest, ClientsThatComeAndGoAreReportedOnceASecondAfterAFew) {
     connectServed()->close();
     machine_->runPending();
   }
-  const auto lines = [this] {
-    const std::string text = console_.str();
-    return static_cast<unsigned>(std::count(text.begin(), text.end(), '\n'));
-  };
   EXPECT_GE(timesSaid("is connected"), ReportLimit::BURST / 2 - 1);
-  EXPECT_LT(lines(), ReportLimit::BURST + 10);
+  EXPECT_LT(timesSaid("\n"), ReportLimit::BURST + 10);
   passFrames(30 * 125);
   console_.str("");
   auto client = connect();
   EXPECT_TRUE(isServed(*client));
-  EXPECT_THAT(console_.str(), testing::AllOf(testing::HasSubstr("lines about clients were left out"),
-                                             testing::HasSubstr("is connected")));
-}
-
-// A good request that is refused counts as good, too, as does one that more bytes follow than belong to it.
-TEST_F(ConnectionsTest, FirstRequestThatIsRefusedIsAnsweredAndTheClientIsServed) {
-  for (const std::string& first : {request('J', 200), request('Q', 0, 0), request('C', 0) + std::string(16, '\0'),
-                                   request('V', 'U'), request('J', 1) + request('J', 2) + request('J', 3),
-                                   std::string("SBSBSBSB"), request('F', ' '), request('X', 3)}) {
-    auto client = connect();
-    client->send(first);
-    machine_->runPending();
-    takeImage();
-    EXPECT_TRUE(client->next()) << first;
-    EXPECT_TRUE(isServed(*client)) << first;
-    client->close();
-    machine_->runPending();
-  }
+  EXPECT_THAT(console_.str(), AllOf(HasSubstr("lines about clients were left out"), HasSubstr("is connected")));
 }
 
 TEST_F(ConnectionsTest, ClientThatAsksForNothingLosesItsPlaceAfterTwoSeconds) {
@@ -201,15 +181,7 @@ TEST_F(ConnectionsTest, ClientThatAsksForNothingLosesItsPlaceAfterTwoSeconds) {
   EXPECT_TRUE(awaitEnd(*idle));
 }
 
-class PlayingClientTest : public ConnectionsTest {
- protected:
-  bool tailMoves() {
-    std::vector<int>& path = robot_.joint("tail_pan").path;
-    path.clear();
-    passFrames(400);
-    return std::any_of(path.begin(), path.end(), [&](int position) { return position != path.front(); });
-  }
-};
+class PlayingClientTest : public ConnectionsTest {};
 
 // WAG.MTN takes less than 2 s.
 TEST_F(PlayingClientTest, MotionOfASilentVersion1ClientEndsAfterTenSecondsButTheClientStays) {
@@ -217,9 +189,9 @@ TEST_F(PlayingClientTest, MotionOfASilentVersion1ClientEndsAfterTenSecondsButThe
   client->send(fileRequest('P', "WAG.MTN", 1000));
   ASSERT_EQ(awaitLetter(*client), 'p');
   passFrames(1250 - 420);
-  EXPECT_TRUE(tailMoves());
+  EXPECT_TRUE(moves("tail_pan"));
   passFrames(20 + 250);
-  EXPECT_FALSE(tailMoves());
+  EXPECT_FALSE(moves("tail_pan"));
   EXPECT_TRUE(isServed(*client));
 }
 

@@ -115,10 +115,9 @@ TEST_F(DatagramsTest, PictureOfTheStreamComesInDatagramsThatNoNetworkHasToCut) {
   EXPECT_THAT(picturesByTcp(), IsEmpty());
 }
 
-TEST_F(DatagramsTest, RequestedPictureAndTelemetryComeByTcp) {
+TEST_F(DatagramsTest, RequestedPictureComesByTcp) {
   UdpSocket receiver;
   streamTo(receiver);
-  answerTo('T', 0, std::string("\0\4", 2));
   send(frame('F', 50, 77, kLayerHigh));
   takeImage();
   EXPECT_THAT(partsAt(receiver), IsEmpty()) << "the image is the requested picture's";

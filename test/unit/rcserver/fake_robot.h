@@ -219,8 +219,7 @@ class FakeRobot : public openr_host::VirtualRobot {
     }
     openr_host::MicrophoneFrame heard{};
     for (size_t i = 0; i < heard.size(); ++i) {
-      const sword itself = frame_played != nullptr && hears_itself ? (*frame_played)[i] : sword{0};
-      heard[i] = sound ? sound(frame * heard.size() + i) : OSoundSampleStereo16{itself, itself};
+      heard[i] = sound ? sound(frame * heard.size() + i) : OSoundSampleStereo16{};
     }
     return heard;
   }
@@ -308,8 +307,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   bool refuses_speaker = false;
   OVolumeSwitch volume_switch = ovolumeSW2;
   std::vector<sword> played;                          ///< by the speaker, without pauses between sounds
-  bool hears_itself = false;                          ///< the microphones hear what the speaker plays
-  std::function<OSoundSampleStereo16(size_t)> sound;  ///< that they hear otherwise; 0 is the first one of frame 0
+  std::function<OSoundSampleStereo16(size_t)> sound;  ///< in the room; 0 is the first sample of frame 0
   std::string missing_locator;                        ///< of a primitive that does not open
 
   bool cameraImageDue(longword frame) override {

@@ -42,16 +42,6 @@ class FileJobsTest : public FakeRobotFixture {
 
   bool hasFile(const std::string& name) { return std::filesystem::exists(stick_.path("OPEN-R/MW/DATA/P/" + name)); }
 
-  bool moves(const std::string& joint) {
-    const int before = robot_.joint(joint).position;
-    bool has_moved = false;
-    for (int i = 0; i < 100; ++i) {
-      passFrames(4);
-      has_moved = has_moved || robot_.joint(joint).position != before;
-    }
-    return has_moved;
-  }
-
   const std::string motion_ = motionBytes("at 0 head_pan 0\nat 800 head_pan 30\n");
 };
 
@@ -150,7 +140,7 @@ TEST_F(FileJobsTest, UploadIsCompletedThoughItsClientHasGone) {
   disconnect();
   EXPECT_FALSE(hasFile("NEW.MTN"));
   finishJobs();
-  EXPECT_EQ(fileContent(stick_.path("OPEN-R/MW/DATA/P/NEW.MTN")), motion_);
+  EXPECT_EQ(contentOf(stick_.path("OPEN-R/MW/DATA/P/NEW.MTN")), motion_);
 }
 
 // A memory stick without PictureEncoder and FileKeeper.

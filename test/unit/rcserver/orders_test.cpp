@@ -108,33 +108,19 @@ TEST_F(OrdersTest, EndOnceWithTheirNumbersBeforeTheReplyThatCausesIt) {
     Asked then;
     std::vector<std::string> answers;
   } rows[] = {
-      {kMovePan, kMovePan, {"i1 1", "j2"}},
-      {kMovePan, kHoldPan, {"i1 2", "i2"}},
-      {kMovePan, kHoldAll, {"i1 2", "i2"}},
-      {kMovePan, kOff, {"i1 2", "o2"}},
-      {kMovePan, kPlayHead, {"i1 1", "p2"}},
-      {kMoveKnee, kSit, {"i1 1", "e2"}},
-      {kMoveKnee, kRest, {"i1 1", "e2"}},
-      {kPlayHead, kMovePan, {"i1 1", "j2"}},
-      {kPlayHead, kHoldPan, {"i1 2", "i2"}},
-      {kPlayHead, kHoldAll, {"i1 2", "i2"}},
-      {kPlayHead, kStopMotions, {"i1 2", "p2"}},
-      {kPlayHead, kStopHead, {"i1 2", "p2"}},
-      {kPlayHead, kOff, {"i1 2", "o2"}},
-      {kPlayHead, kRest, {"i1 1", "e2"}},
-      {kPlayLegs, kSit, {"i1 1", "e2"}},
-      {kSit, kMoveKnee, {"i1 1", "j2"}},
-      {kSit, kHoldKnee, {"i1 2", "i2"}},
-      {kSit, kHoldAll, {"i1 2", "i2"}},
-      {kSit, kRest, {"i1 1", "e2"}},
-      {kSit, kPlayLegs, {"i1 1", "p2"}},
-      {kSit, kOff, {"i1 2", "o2"}},
-      {kWalk, kMoveKnee, {"i1 1", "j2"}},
-      {kWalk, kHoldKnee, {"i1 2", "i2"}},
-      {kWalk, kHoldAll, {"i1 2", "i2"}},
-      {kWalk, kPlayLegs, {"i1 1", "p2"}},
-      {kWalk, kSit, {"i1 1", "e2"}},
-      {kWalk, kOff, {"i1 2", "o2"}},
+      {kMovePan, kMovePan, {"i1 1", "j2"}},   {kMovePan, kHoldPan, {"i1 2", "i2"}},
+      {kMovePan, kHoldAll, {"i1 2", "i2"}},   {kMovePan, kOff, {"i1 2", "o2"}},
+      {kMovePan, kPlayHead, {"i1 1", "p2"}},  {kMoveKnee, kSit, {"i1 1", "e2"}},
+      {kPlayHead, kMovePan, {"i1 1", "j2"}},  {kPlayHead, kHoldPan, {"i1 2", "i2"}},
+      {kPlayHead, kHoldAll, {"i1 2", "i2"}},  {kPlayHead, kStopMotions, {"i1 2", "p2"}},
+      {kPlayHead, kStopHead, {"i1 2", "p2"}}, {kPlayHead, kOff, {"i1 2", "o2"}},
+      {kPlayHead, kRest, {"i1 1", "e2"}},     {kPlayLegs, kSit, {"i1 1", "e2"}},
+      {kSit, kMoveKnee, {"i1 1", "j2"}},      {kSit, kHoldKnee, {"i1 2", "i2"}},
+      {kSit, kHoldAll, {"i1 2", "i2"}},       {kSit, kRest, {"i1 1", "e2"}},
+      {kSit, kPlayLegs, {"i1 1", "p2"}},      {kSit, kOff, {"i1 2", "o2"}},
+      {kWalk, kMoveKnee, {"i1 1", "j2"}},     {kWalk, kHoldKnee, {"i1 2", "i2"}},
+      {kWalk, kHoldAll, {"i1 2", "i2"}},      {kWalk, kPlayLegs, {"i1 1", "p2"}},
+      {kWalk, kSit, {"i1 1", "e2"}},          {kWalk, kOff, {"i1 2", "o2"}},
   };
   for (const auto& row : rows) {
     SCOPED_TRACE(std::to_string(&row - rows) + ": " + row.order.kind + " then " + row.then.kind);
@@ -215,35 +201,15 @@ TEST_F(OrdersTest, AreAllToldToAClientThatReadsSlowly) {
   EXPECT_THAT(heard(), IsEmpty()) << "each once";
 }
 
-TEST_F(OrdersTest, ASteeringThatCrossesTheEndOfItsWalkBeginsAnother) {
-  const struct {
-    std::string name;
-    std::function<void()> event;
-    std::vector<std::string> end;  ///< before the reply
-    bool must_let_go;
-  } rows[] = {
-      {"zeros", [this] { ask(10, kLetGo); }, {"i1 0"}, false},
-      {"500 ms", [this] { passFrames(66); }, {"i1 2"}, false},
-      {"posture", [this] { ask(10, kSit); }, {"i10 1"}, true},
-  };
-  for (const auto& row : rows) {
-    SCOPED_TRACE(row.name);
+TEST_F(OrdersTest, ToWalkBeginAnotherWalkWhileOneIsEnding) {
+  EXPECT_EQ(walkAfter(9, kLetGo), 0);
+  for (const bool is_let_go : {true, false}) {
     beginWalk(1);
-    row.event();
-    std::vector<std::string> before = heard();
-    if (row.must_let_go) {
-      EXPECT_THAT(before, ElementsAre("i1 1", "e10"));
-      EXPECT_THAT(answersTo(11, kWalk), ElementsAre(HasSubstr("let go first")));
-      EXPECT_EQ(walkAfter(12, kLetGo), 0) << "the way to the stand belongs to the posture";
-    }
-    ask(20, kWalk);
-    std::vector<std::string> expected = row.end;
-    expected.push_back("s20");
-    EXPECT_EQ(heard(), expected);
+    EXPECT_EQ(walkAfter(2, kWalk), 1);
+    is_let_go ? ask(3, kLetGo) : passFrames(66);
+    EXPECT_THAT(answersTo(20, kWalk), Contains(is_let_go ? "i1 0" : "i1 2"));
     EXPECT_EQ(walkAfter(21, kWalk), 20);
-    ask(22, kLetGo);
-    passFrames(250);
-    EXPECT_THAT(heard(), ElementsAre("s22", "i20 0"));
+    answersTo(22, kHoldAll);
   }
 }
 
@@ -315,36 +281,24 @@ TEST_F(OrdersTest, AreRefusedWhenTheyAreTooOldButForThoseThatStop) {
                                                       {'O', 0, "\1"}};
   for (const auto& [kind, id, payload] : kinds) {
     answersTo(1, kLetGo);
-    EXPECT_THAT(answersTo(2, {kind, id, order(payload, clock_.frame() - 8)}), ElementsAre(StartsWith("e2 5 too old")))
-        << kind;
-    EXPECT_THAT(answersTo(3, {kind, id, order(payload, clock_.frame() + 8)}),
-                Contains(std::string(1, replyKind(kind)) + "3"));
-    answersTo(4, kHoldAll);
+    passFrames(100);  // what came before brakes
+    heard();
+    const std::vector<int> before = positions();
+    const unsigned soon = clock_.frame() + 25;
+    client_->send(frame(kind, id, 2, order(payload, soon)) + frame('I', HOLD_EVERYTHING, 3));
+    clock_.step(100);  // while a process is stopped, what the client sends waits
+    EXPECT_THAT(heard(), ElementsAre(StartsWith("e2 5 too old"), "i3")) << kind;
+    passFrames(20);
+    EXPECT_EQ(positions(), before) << kind;
+    answersTo(4, kLetGo);
+    EXPECT_THAT(answersTo(5, {kind, id, order(payload, clock_.frame() + 8)}),
+                Contains(std::string(1, replyKind(kind)) + "5"));
+    answersTo(6, kHoldAll);
   }
   const std::string old(4, '\0');
   EXPECT_THAT(answersTo(5, {'S', 0, old + velocity(0)}), ElementsAre("s5"));
   EXPECT_THAT(answersTo(6, {'P', 0, old + std::string(2, '\0')}), ElementsAre("p6"));
   EXPECT_THAT(answersTo(7, {'O', 0, old + std::string(1, '\0')}), ElementsAre("o7"));
-}
-
-// While a process is stopped, what the client sends waits. Nobody wants it any more afterwards.
-TEST_F(OrdersTest, ThatHaveWaitedWhileTheServerWasHeldUpAreTooOld) {
-  answersTo(1, kLetGo);
-  const std::vector<int> before = positions();
-  const unsigned soon = clock_.frame() + 25;
-  client_->send(frame('J', 0, 1, order(target(kHeadPanId), soon)) + frame('S', 0, 2, order(velocity(100), soon)) +
-                frame('E', POSTURE_SIT, 3, order("", soon)) + frame('P', 0, 4, playPayload("HEAD.MTN", 1, soon)) +
-                frame('O', 0, 5, order("\1", soon)) + frame('I', HOLD_EVERYTHING, 6));
-  clock_.step(100);
-  machine_->runPending();
-  const std::vector<std::string> all = heard();
-  ASSERT_EQ(all.size(), 6u);
-  for (int number = 1; number <= 5; ++number) {
-    EXPECT_THAT(all[static_cast<size_t>(number - 1)], StartsWith("e" + std::to_string(number) + " 5 too old"));
-  }
-  EXPECT_EQ(all[5], "i6") << "to stop is never too late";
-  passFrames(20);
-  EXPECT_EQ(positions(), before);
 }
 
 TEST_F(OrdersTest, ToPlayAreJudgedAgainWhenTheirFilesHaveBeenReadWithFiveSecondsMore) {

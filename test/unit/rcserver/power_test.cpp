@@ -30,17 +30,14 @@ class PowerTest : public FakeRobotFixture {
     return passed;
   }
 
-  bool isLimp() const {
-    return !robot_.powered && std::none_of(robot_.joints.begin(), robot_.joints.end(),
-                                           [](const FakeRobot::FakeJoint& joint) { return joint.gain; });
-  }
+  bool isOff() const { return !robot_.powered && isLimp(); }
 
   // The machine may be off already.
   Frame nextError() {
-    std::optional<Frame> told = frameThatIsHere();
-    while (told && told->header.kind != 'e') {
+    std::optional<Frame> told;
+    do {
       told = frameThatIsHere();
-    }
+    } while (told && told->header.kind != 'e');
     return told.value_or(Frame{});
   }
 
@@ -60,7 +57,7 @@ TEST_F(PowerTest, PauseCutsTheMotorsAtOnceTellsTheClientAndShutsDown) {
   connectVersion2();
   playSitForEver();
   raise(orsbPAUSE);
-  EXPECT_TRUE(isLimp());
+  EXPECT_TRUE(isOff());
   expectRefusal(nextError(), kPowerCode, "the pause button was pressed");
   passUntilOff(kFramesASecond);
   EXPECT_FALSE(machine_->isOn());
@@ -90,7 +87,7 @@ TEST_F(PowerTest, ClientThatDoesNotReadDelaysTheShutdownByAtMostASecond) {
     send(frame('H', 0, 2));
   }
   raise(orsbPAUSE);
-  EXPECT_TRUE(isLimp());
+  EXPECT_TRUE(isOff());
   EXPECT_LE(passUntilOff(1000), kFramesASecond + 4);
   EXPECT_FALSE(machine_->isOn());
 }
@@ -100,11 +97,11 @@ TEST_F(PowerTest, AnUploadInProgressIsFinishedAndAnsweredWhileTheMotorsAreOff) {
   startWith("ALLOW_UPLOAD=yes\nALLOW_SHUT_DOWN=yes");
   connectVersion2();
   file_keeper_.slowDown();
-  send(frame('U', 0, 1, uploadPayload("NEW.MTN", fileContent(MEMORY_STICK "/OPEN-R/MW/DATA/P/WAG.MTN"))));
+  send(frame('U', 0, 1, uploadPayload("NEW.MTN", contentOf(MEMORY_STICK "/OPEN-R/MW/DATA/P/WAG.MTN"))));
   ASSERT_TRUE(file_keeper_.hasJob());
   EXPECT_EQ(answerTo('Q', 0).header.kind, 'q');
   passFrames(4);
-  EXPECT_TRUE(isLimp());
+  EXPECT_TRUE(isOff());
   passUntilOff(2 * kFramesASecond);
   ASSERT_TRUE(machine_->isOn());
   file_keeper_.finish();
@@ -129,7 +126,7 @@ TEST_F(PowerTest, AMemoryStickThatHangsDelaysTheShutdownByThreeSeconds) {
       disconnect();
       raise(orsbPAUSE);
     }
-    EXPECT_TRUE(isLimp());
+    EXPECT_TRUE(isOff());
     const unsigned frames = passUntilOff(10 * kFramesASecond);
     EXPECT_GE(frames, 2 * kFramesASecond);
     EXPECT_LE(frames, 3 * kFramesASecond + 10);
@@ -143,10 +140,10 @@ TEST_F(PowerTest, LowBatteryIsReportedAtOnceAndTheMotorsStayOnForNow) {
   playSitForEver();
   raise(orsbBATTERY_CAPACITY_LOW);
   expectRefusal(nextError(), kPowerCode, "the battery is low");
-  EXPECT_FALSE(isLimp());
+  EXPECT_FALSE(isOff());
   passUntilOff(5 * kFramesASecond);
   EXPECT_FALSE(machine_->isOn());
-  EXPECT_TRUE(isLimp());
+  EXPECT_TRUE(isOff());
 }
 
 TEST_F(PowerTest, ALowBatteryEndsInOneOfTheseWays) {
@@ -206,7 +203,7 @@ TEST_F(PowerTest, MotorsStayOffAtBootIfTheSettingsSaySo) {
   robot_.powered = false;
   startWith("MOTORS_AT_BOOT=no");
   passFrames(100);
-  EXPECT_TRUE(isLimp());
+  EXPECT_TRUE(isOff());
   EXPECT_THAT(console_.str(), testing::HasSubstr("MOTORS_AT_BOOT"));
 }
 

@@ -228,7 +228,7 @@ class FakeRobotFixture : public RCServerFixture {
   FakeRobotFixture() { host_.memory_stick = stick_.path().c_str(); }
 
   /// Boots the robot, and waits until its joints and sensors have been measured.
-  void start() {
+  virtual void start() {
     machine_.reset();
     console_.str("");
     boot(robot_);
@@ -249,6 +249,19 @@ class FakeRobotFixture : public RCServerFixture {
       all.push_back(joint.position);
     }
     return all;
+  }
+
+  /// Passes frames. @return true if the joint has moved
+  bool moves(const std::string& joint, unsigned frames = 400) {
+    std::vector<int>& path = robot_.joint(joint).path;
+    path.clear();
+    passFrames(frames);
+    return std::any_of(path.begin(), path.end(), [&](int position) { return position != path.front(); });
+  }
+
+  bool isLimp() const {
+    return std::none_of(robot_.joints.begin(), robot_.joints.end(),
+                        [](const FakeRobot::FakeJoint& joint) { return joint.gain; });
   }
 
   void disconnect() {
@@ -422,6 +435,17 @@ class FakeRobotFixture : public RCServerFixture {
   FakeRobot robot_;
   std::unique_ptr<TestClient> client_;
   int last_number_ = 0;  ///< of a request of version 2
+};
+
+/// The client speaks version 1. Each start() connects it.
+class Version1Fixture : public FakeRobotFixture {
+ protected:
+  void SetUp() override { start(); }
+
+  void start() override {
+    FakeRobotFixture::start();
+    client_ = connectServed();
+  }
 };
 
 /// The client speaks version 2.

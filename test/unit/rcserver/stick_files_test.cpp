@@ -34,14 +34,6 @@ class FilesOnTheStick : public ::testing::Test {
     return {list.names, list.names + list.count};
   }
 
-  std::vector<std::string> inFolder() {
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
-      names.push_back(entry.path().filename());
-    }
-    return names;
-  }
-
   test_support::MemoryStick stick_;
   std::filesystem::path folder_ = stick_.path(DATA_FOLDER);
   HostSettings host_;
@@ -54,8 +46,8 @@ TEST_F(FilesOnTheStick, AnUploadFollowsNoLink) {
     std::filesystem::create_symlink(stick_.path("elsewhere"), folder_ / name);
   }
   EXPECT_TRUE(store("HOP.MTN", "new"));
-  EXPECT_EQ(fileContent(stick_.path("elsewhere")), "precious");
-  EXPECT_EQ(fileContent(folder_ / "HOP.MTN"), "new");
+  EXPECT_EQ(contentOf(stick_.path("elsewhere")), "precious");
+  EXPECT_EQ(contentOf(folder_ / "HOP.MTN"), "new");
   EXPECT_FALSE(std::filesystem::is_symlink(folder_ / "HOP.MTN"));
 }
 
@@ -65,7 +57,7 @@ TEST_F(FilesOnTheStick, WhatAResetHasLeftIsNoMotionAndDoesNotBlock) {
   }
   EXPECT_THAT(listed(), testing::IsEmpty());
   EXPECT_TRUE(store("HOP.MTN", "new"));
-  EXPECT_EQ(fileContent(folder_ / "HOP.MTN"), "new");
+  EXPECT_EQ(contentOf(folder_ / "HOP.MTN"), "new");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "UPLOAD.TMP"));
 }
 
@@ -73,9 +65,9 @@ TEST_F(FilesOnTheStick, FindsAFileInUpperOrLowerCase) {
   stick_.write(std::string(DATA_FOLDER) + "/Hop.mtn", "content");
   EXPECT_THAT(listed(), testing::ElementsAre("HOP.MTN"));
   EXPECT_TRUE(store("hop.MTN", "new"));
-  EXPECT_THAT(inFolder(), testing::ElementsAre("Hop.mtn"));
+  EXPECT_THAT(namesIn(folder_), testing::ElementsAre("Hop.mtn"));
   EXPECT_EQ(files_.Delete(MOTION_FILE, Name("HOP.MTN").name), FileResult::DONE);
-  EXPECT_THAT(inFolder(), testing::IsEmpty());
+  EXPECT_THAT(namesIn(folder_), testing::IsEmpty());
 }
 
 TEST_F(FilesOnTheStick, AFullMemoryStickLeavesTheOldFileAndNothingElse) {
@@ -84,8 +76,8 @@ TEST_F(FilesOnTheStick, AFullMemoryStickLeavesTheOldFileAndNothingElse) {
     const test_support::FullDisk full;
     EXPECT_FALSE(store("HOP.MTN", std::string(60000, 'x')));
   }
-  EXPECT_THAT(inFolder(), testing::ElementsAre("HOP.MTN"));
-  EXPECT_EQ(fileContent(folder_ / "HOP.MTN"), "old");
+  EXPECT_THAT(namesIn(folder_), testing::ElementsAre("HOP.MTN"));
+  EXPECT_EQ(contentOf(folder_ / "HOP.MTN"), "old");
 }
 
 }  // namespace

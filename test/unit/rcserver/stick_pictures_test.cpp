@@ -22,13 +22,9 @@ class StickPicturesTest : public FakeRobotFixture {
 
   /// The files on the stick that are not motions.
   std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(folder())) {
-      if (entry.path().extension() != ".MTN") {
-        names.push_back(entry.path().filename());
-      }
-    }
-    std::sort(names.begin(), names.end());
+    std::vector<std::string> names = namesIn(folder());
+    const auto is_motion = [](const std::string& name) { return name.find(".MTN") != std::string::npos; };
+    names.erase(std::remove_if(names.begin(), names.end(), is_motion), names.end());
     return names;
   }
 
@@ -59,8 +55,8 @@ TEST_F(StickPicturesTest, AreTakenOfTheNextImage) {
   EXPECT_EQ(ask('M', SERVER_DEFAULT_QUALITY).header.id, protocol::DEFAULT_JPEG_QUALITY);
   EXPECT_EQ(ask('M', 101).header.id, 100) << "at most";
   EXPECT_THAT(files(), ElementsAre("AIBO0001.JPG", "AIBO0002.JPG", "AIBO0003.JPG"));
-  const std::string jpeg = fileContent(folder() + "/AIBO0001.JPG");
-  EXPECT_LT(jpeg.size(), fileContent(folder() + "/AIBO0003.JPG").size());
+  const std::string jpeg = contentOf(folder() + "/AIBO0001.JPG");
+  EXPECT_LT(jpeg.size(), contentOf(folder() + "/AIBO0003.JPG").size());
   EXPECT_NEAR(brightnessOf({jpeg.begin(), jpeg.end()}).level, FakeRobot::brightness(image + 1), 3);
 }
 
@@ -72,7 +68,7 @@ TEST_F(StickPicturesTest, AreNumberedAfterTheHighestAndReplaceNothing) {
   EXPECT_EQ(take(), "AIBO0044.JPG");
   EXPECT_EQ(take(), "AIBO0045.JPG");
   for (const char* name : old) {
-    EXPECT_EQ(fileContent(folder() + "/" + name), "old") << name;
+    EXPECT_EQ(contentOf(folder() + "/" + name), "old") << name;
   }
 }
 

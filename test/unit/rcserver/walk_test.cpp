@@ -1,6 +1,5 @@
 // Walking and postures, as a client of version 2 sees them.
 
-#include "rcserver/walk/Gait.h"
 #include "rcserver_fixture.h"
 
 namespace {
@@ -61,22 +60,8 @@ class WalkTest : public Version2Fixture {
   // It stands at once with joints at 0, and rises from there.
   void walk(int forward = 100) { steer(forward, 4 * kFramesASecond); }
 
-  bool isLimp() const {
-    return std::none_of(robot_.joints.begin(), robot_.joints.end(),
-                        [](const FakeRobot::FakeJoint& joint) { return joint.gain; });
-  }
-
   std::vector<Frame> frames_;
 };
-
-TEST_F(WalkTest, HelloHasItsLimits) {
-  const WalkLimits limits = hello().walk;
-  const GaitParameters gait;
-  EXPECT_DOUBLE_EQ(limits.forward, gait.fastest);
-  EXPECT_DOUBLE_EQ(limits.back, gait.highest.back);
-  EXPECT_DOUBLE_EQ(limits.left, gait.highest.left);
-  EXPECT_DOUBLE_EQ(limits.turn, gait.highest.turn);
-}
 
 TEST_F(WalkTest, TelemetryTellsHowItWalks) {
   EXPECT_EQ(answerTo('T', TELEMETRY_PLAIN, std::string("\0\4", 2)).header.id, TELEMETRY_PLAIN);

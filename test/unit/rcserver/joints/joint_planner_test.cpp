@@ -56,33 +56,15 @@ std::vector<int> targetsOf(const JointPlanner& planner) {
   return targets;
 }
 
-std::vector<int> framesLeftOf(const JointPlanner& planner, const std::vector<int>& joints) {
-  std::vector<int> frames;
-  for (const int i : joints) {
-    frames.push_back(planner.FramesLeft(i));
-  }
-  return frames;
-}
-
 // Frames until all joints have arrived; at most `patience`.
 int runUntilAllHaveArrived(JointPlanner& planner, int patience = 100000) {
+  const std::vector<int> joints = allJoints();
+  const auto moves = [&planner](int joint) { return planner.FramesLeft(joint) > 0; };
   int frames = 0;
-  const auto moving = [&planner] {
-    const std::vector<int> left = framesLeftOf(planner, allJoints());
-    return std::any_of(left.begin(), left.end(), [](int frames_left) { return frames_left > 0; });
-  };
-  while (moving() && frames < patience) {
+  for (; frames < patience && std::any_of(joints.begin(), joints.end(), moves); ++frames) {
     planner.NextFrame();
-    ++frames;
   }
   return frames;
-}
-
-void resetLimits(JointPlanner& planner) {
-  for (const int i : allJoints()) {
-    planner.SetSpeedLimit(i, ers7().joints[i].highest_speed);
-    planner.SetAccelerationLimit(i, defaultAcceleration(ers7().joints[i]));
-  }
 }
 
 void run(JointPlanner& planner, int frames) {
@@ -134,14 +116,10 @@ class RandomClient {
   }
 
   std::vector<JointTarget> targets() {
-    std::vector<int> joints = allJoints();
-    std::shuffle(joints.begin(), joints.end(), random_);
-    joints.resize(static_cast<size_t>(between(1, static_cast<int>(joints.size()))));
-    std::vector<JointTarget> targets;
-    for (const int i : joints) {
-      targets.push_back({i, position(i)});
-    }
-    return targets;
+    std::vector<JointTarget> some = targetsForAll();
+    std::shuffle(some.begin(), some.end(), random_);
+    some.resize(static_cast<size_t>(between(1, static_cast<int>(some.size()))));
+    return some;
   }
 
   std::vector<JointTarget> targetsForAll() {
@@ -265,7 +243,10 @@ TEST(JointPlanner, ArrivesExactlyWhateverWasCommandedBefore) {
       client.command(planner);
       run(planner, client.between(0, 10));
     }
-    resetLimits(planner);
+    for (const int joint : allJoints()) {
+      planner.SetSpeedLimit(joint, ers7().joints[joint].highest_speed);
+      planner.SetAccelerationLimit(joint, defaultAcceleration(ers7().joints[joint]));
+    }
     std::vector<JointTarget> targets = client.targetsForAll();
     setTargets(planner, targets, 0);
     // Within three seconds, every joint can wait for the whole way of another one.
