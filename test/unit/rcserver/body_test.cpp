@@ -212,6 +212,7 @@ TEST_F(BodyTest, ShutDownAnswersThenMotorsAreOffAndTheRobotIsOff) {
 TEST_F(BodyTest, RebootAnswersAndServesTheNextClient) {
   startWith("ALLOW_REBOOT=yes");
   const int times = robot_.times_switched_off;
+  const int port = machine_->hostPort(protocol::RCSERVER_PORT);
   client_->send(request('R', 0, 0));
   machine_->runUntil([&] { return robot_.times_switched_off > times; });
   EXPECT_TRUE(machine_->isOn());
@@ -219,6 +220,8 @@ TEST_F(BodyTest, RebootAnswersAndServesTheNextClient) {
   ASSERT_TRUE(reply);
   EXPECT_EQ(reply->letter, 'r');
   EXPECT_TRUE(client_->ended());
+  EXPECT_THAT(console_.str(), testing::HasSubstr("The robot boots again\n"));
+  EXPECT_EQ(machine_->hostPort(protocol::RCSERVER_PORT), port);
   passFrames(kUntilMeasured);
   client_ = connectServed();
   expectAnswer(request('S', kBattery), 's', kBattery, 87);

@@ -107,11 +107,6 @@ class FakeRobot : public VirtualRobot {
     return frames_with_image.count(frame) != 0;
   }
 
-  longword nextCameraImage(longword frame) const override {
-    const auto next = frames_with_image.upper_bound(frame);
-    return next == frames_with_image.end() ? frame + 1000 : *next;
-  }
-
   RCRegion* captureImage(longword frame) override {
     frames_captured.push_back(frame);
     if (image_ == nullptr) {
