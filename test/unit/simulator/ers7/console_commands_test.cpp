@@ -4,8 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "effector_command.h"
-#include "robot_model/robot_model.h"
+#include "simulator/ers7/simulated_ers7.h"
 
 namespace simulated_ers7 {
 namespace {
@@ -106,21 +105,6 @@ TEST_F(ConsoleCommands, MakeTheMemoryStickFullLockedOutSlowOrReady) {
   say("stick ready");
   EXPECT_EQ(stick(), omemorystickWRITABLE);
   EXPECT_EQ(robot_.stick().jobTime().count(), 0);
-}
-
-TEST_F(ConsoleCommands, TellWhereItIsAndWhatItsPartsDo) {
-  EXPECT_EQ(say("where"), "ok: where 0.0000 0.0000 0.0000\n");
-  OPrimitiveID face = oprimitiveID_UNDEF;
-  OPrimitiveID ear = oprimitiveID_UNDEF;
-  robot_.openPrimitive("PRM:/r1/c1/c2/c3/la-LED3:la", &face);
-  robot_.openPrimitive("PRM:/r1/c1/c2/c3/e6-Joint4:16", &ear);
-  robot_.passFrame(0, {effectorCommand(face, odataLED_COMMAND3, OLEDCommandValue3{100, oled3_MODE_B, 1, 0}),
-                       effectorCommand(ear, odataJOINT_COMMAND4, OJointCommandValue4{ojoint4_STATE1, 1, 0})});
-  EXPECT_EQ(say("joint neck_tilt"), "ok: joint neck_tilt -25.00\n");
-  EXPECT_EQ(say("light face_1"), "ok: light face_1 100\n");
-  EXPECT_EQ(say("light face_2"), "ok: light face_2 0\n");
-  EXPECT_EQ(say("ear left_ear"), "ok: ear left_ear let go\n");
-  EXPECT_EQ(say("ear right_ear"), "ok: ear right_ear drawn\n");
 }
 
 }  // namespace

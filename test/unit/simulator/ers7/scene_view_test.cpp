@@ -51,17 +51,6 @@ TEST(SceneView, TheBallAppearsWhereThePinholeProjectsIt) {
   }
 }
 
-TEST(SceneView, OnlyTheSameSeedAndImageGiveTheSamePicture) {
-  Scene scene;
-  const auto pictureOf = [&](std::uint64_t seed, longword image) {
-    return SceneView(scene, seed).picture({}, 1, image, {}).y;
-  };
-  const YCrCbImage::Plane first = pictureOf(7, 30);
-  EXPECT_EQ(pictureOf(7, 30), first);
-  EXPECT_NE(pictureOf(7, 31), first);
-  EXPECT_NE(pictureOf(8, 30), first);
-}
-
 /// How much of the change between neighbours in a row the picture of double resolution has within a pixel of layer H.
 double sharpness(const YCrCbImage& picture) {
   double sum = 0;
@@ -111,6 +100,35 @@ TEST(SceneView, WhiteBalanceForLampsMakesTheRoomBlue) {
   EXPECT_LT(blueness(settings), usual - 1);
   settings.auto_white_balance = true;
   EXPECT_EQ(blueness(settings), usual);
+}
+
+TEST(Scene, ATableHasAnEdgeAndABoard) {
+  const Scene scene(true);
+  EXPECT_EQ(scene.groundAt({0, 0}), kTableHeight);
+  EXPECT_EQ(scene.groundAt({kTableX + kTableHalfLength + 0.01, 0}), 0);
+  EXPECT_EQ(scene.groundAt({0, -kTableHalfWidth - 0.01}), 0);
+  EXPECT_EQ(Scene().groundAt({0, 0}), 0);
+  const SceneHit top = scene.castRay({{0, 0, 1}, {0, 0, -1}});
+  EXPECT_EQ(top.surface, Surface::kWood);
+  EXPECT_NEAR(top.distance, 1 - kTableHeight, 1e-9);
+  EXPECT_EQ(scene.castRay({{kTableX + kTableHalfLength + 0.01, 0, 1}, {0, 0, -1}}).surface, Surface::kFloor);
+  const SceneHit board = scene.castRay({{0, 0, kTableHeight + 0.1}, {0, 1, 0}});
+  EXPECT_NEAR(board.distance, kTableHalfWidth - kBoardThickness, 1e-9);
+  EXPECT_NEAR(scene.clearance({0, 0, kTableHeight + 0.1}), kTableHalfWidth - kBoardThickness, 1e-9)
+      << "the table is no obstacle";
+}
+
+TEST(Scene, TheBallRollsToAndFro) {
+  Scene scene;
+  scene.setTime(0);
+  const Eigen::Vector3d start = scene.ballCenter();
+  scene.setTime(kBallPeriod / 4);
+  const Eigen::Vector3d left = scene.ballCenter();
+  EXPECT_NEAR(left.y() - start.y(), kBallSwing, 1e-9);
+  scene.setTime(kBallPeriod * 3 / 4);
+  EXPECT_NEAR(scene.ballCenter().y() - start.y(), -kBallSwing, 1e-9);
+  scene.setTime(kBallPeriod * 100);
+  EXPECT_TRUE(scene.ballCenter().isApprox(start, 1e-9));
 }
 
 }  // namespace

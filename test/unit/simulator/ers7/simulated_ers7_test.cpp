@@ -5,10 +5,11 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <cstring>
 
-#include "effector_command.h"
 #include "robot_model/robot_model.h"
 #include "simulator/ers7/camera/scene_view.h"
+#include "simulator/ers7/console_commands.h"
 #include "simulator/openr_host/clock.h"
 
 namespace simulated_ers7 {
@@ -69,6 +70,13 @@ class SimulatedErs7Test : public testing::Test {
   const robot_model::RobotModel& model_ = *robot_model::findRobotModel(robot_.design().c_str());
   longword frame_ = 0;
 };
+
+template <typename Value>
+EffectorCommand effectorCommand(OPrimitiveID id, ODataType type, const Value& value) {
+  EffectorCommand command = {id, type, {}};
+  std::memcpy(&command.value, &value, sizeof(value));
+  return command;
+}
 
 EffectorCommand jointCommand(OPrimitiveID id, slongword position) {
   return effectorCommand(id, odataJOINT_COMMAND2, OJointCommandValue2{position, 0});
@@ -209,6 +217,16 @@ TEST_F(SimulatedErs7Test, LedsKeepTheirLastCommand) {
     EXPECT_EQ(robot_.led("face_1").mode, oled3_MODE_B);
   }
   EXPECT_EQ(robot_.led("face_2").intensity, 0);
+}
+
+TEST_F(SimulatedErs7Test, ItsConsoleTellsWhereItIsAndWhatItsPartsDo) {
+  pass(1, {faceCommand(open(kFaceLed), 100), earCommand(open("PRM:/r1/c1/c2/c3/e6-Joint4:16"), ojoint4_STATE1)});
+  for (const char* answer : {"where 0.0000 0.0000 0.0000", "joint neck_tilt -25.00", "light face_1 100",
+                             "light face_2 0", "ear left_ear let go", "ear right_ear drawn"}) {
+    const std::string line = answer;
+    const size_t words = line.find(' ', line[0] == 'w' ? 0 : line.find(' ') + 1);
+    EXPECT_EQ(obeyConsole(robot_, line.substr(0, words)), "ok: " + line + "\n");
+  }
 }
 
 TEST_F(SimulatedErs7Test, AnEarThatIsEnergisedForASecondDoesNothingForFive) {
