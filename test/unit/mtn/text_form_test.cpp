@@ -7,10 +7,12 @@
 
 #include "sample_motion.h"
 #include "support/refusal.h"
+#include "support/temporary_folder.h"
 
 namespace {
 
 using motion_tool::KeyFrameMotion;
+using test_support::contentOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -137,6 +139,57 @@ TEST(TextForm, NamesAllMistakesAtOnce) {
             "line 3: mouth is more than a turn away\n"
             "line 5: \"soon\" is not a number of milliseconds\n"
             "line 6: 33 ms is not a multiple of a frame, which has 16 ms; 32 and 48 are");
+}
+
+// Sony's motions name their robot in many ways.
+TEST(MotionCheck, JointsDecideWhichRobotAMotionIsFor) {
+  const struct {
+    const char* key_frames;
+    const char* design;
+    const char* robot;  // null: none
+  } rows[] = {
+      {"at 0 head_pan 0 neck_tilt 0\n", "DRX-1000_Head", "ERS-7"},
+      {"at 0 tail_pan 0\n", "DRX-1000_Tail", "ERS-7"},
+      {"at 0 left_ear 0 right_ear 0\n", "DRX-1000_Ear", "ERS-7"},
+      {"at 0 mouth -10\n", "", "ERS-7"},
+      {"at 0 head_pan 0 tail_pan 0 PRM:/r1/c1/c2/c3-Joint2:j3 0\n", "DRX-910", "ERS-7"},
+      {"at 0 head_pan 0 PRM:/r1/c1/c2/c3-Joint2:j3 0\n", "DRX-910", "ERS-210"},
+      {"at 0 PRM:/r1/c1/c2/c3-Joint2:j3 0\n", "DRX-1000_Head", "ERS-210"},
+      {"at 0 PRM:/r1/c1/c2/c3/e1-Joint3:j5 0\n", "DRX-910_Ear", "ERS-210"},
+      {"at 0 PRM:/r9/c1-Joint2:91 0\n", "DRX-1000", nullptr},
+  };
+  for (const auto& row : rows) {
+    motion_tool::KeyFrameMotion content = motion_tool::parseTextForm(std::string("robot ERS-7\n") + row.key_frames);
+    content.design = row.design;
+    const std::string bytes = motion_tool::encodeMtn(content);
+    mtn::Motion motion;
+    EXPECT_TRUE(motion.read(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size())) << motion.problem();
+    const robot_model::RobotModel* robot = motion_tool::robotOf(motion);
+    EXPECT_EQ(robot, row.robot == nullptr ? nullptr : robot_model::findRobotModel(row.robot)) << row.key_frames;
+  }
+}
+
+// The motions on the memory stick.
+const char* const kMotions[] = {"LIE", "NOD", "WAG", "SIT"};
+
+TEST(ShippedMotions, AreMadeFromTheirSources) {
+  for (const std::string name : kMotions) {
+    const std::string source = contentOf(MOTION_SOURCES "/" + name + ".txt");
+    EXPECT_EQ(contentOf(MOTIONS "/" + name + ".MTN"), motion_tool::encodeMtn(motion_tool::parseTextForm(source)))
+        << name << ": make it again: docs/motions.md";
+  }
+}
+
+TEST(ShippedMotions, CanBeDoneByAnErs7AndEndWhereTheyBegan) {
+  for (const std::string name : kMotions) {
+    const std::string bytes = contentOf(MOTIONS "/" + name + ".MTN");
+    mtn::Motion motion;
+    ASSERT_TRUE(motion.read(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size())) << motion.problem();
+    EXPECT_EQ(motion_tool::describeChanges(motion, *robot_model::findRobotModel("ERS-7")), "") << name;
+    for (int joint = 0; joint < motion.numberOfJoints(); ++joint) {
+      EXPECT_EQ(motion.position(motion.numberOfKeyFrames() - 1, joint), motion.position(0, joint)) << name << joint;
+    }
+  }
 }
 
 }  // namespace
