@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "bytes.h"
+#include "layouts.h"
 
 namespace protocol {
 namespace {

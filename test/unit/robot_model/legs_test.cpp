@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <random>
 
+#include "robot_model/head.h"
 #include "robot_model/robot_model.h"
 
 namespace robot_model {
@@ -58,6 +60,41 @@ TEST(LegsTest, StretchTowardsAFootTooFarAway) {
     EXPECT_NEAR(foot.x, shoulder.x, 1e-3);
     EXPECT_NEAR(foot.y, shoulder.y, 1e-3);
     EXPECT_LT(foot.z, -0.134);
+  }
+}
+
+const double DEGREE = M_PI / 180;
+
+TEST(Head, ComesAsCloseAsItCanToWhatItCannotSee) {
+  HeadAngles angles;
+  const double behind = findHeadAngles({-1, 0.5, 0.1}, &angles);
+  EXPECT_GT(behind, 45 * DEGREE);
+  EXPECT_LT(behind, 70 * DEGREE);
+  EXPECT_NEAR(angles.head_pan, 88 * DEGREE, 1e-5) << "to the side on which it is";
+  EXPECT_GT(findHeadAngles({0.05, 0.3, -0.143}, &angles), 20 * DEGREE) << "the floor beside the robot";
+  EXPECT_GT(findHeadAngles({0.12, 0, 0.095}, &angles), 20 * DEGREE) << "inside the head";
+}
+
+TEST(Head, KeepsToTheLimitsOfItsJointsWhereverItLooks) {
+  const RobotModel& model = *findRobotModel("ERS-7");
+  const int neck = findJointByName(model, "neck_tilt");
+  const int pan = findJointByName(model, "head_pan");
+  const int tilt = findJointByName(model, "head_tilt");
+  const int mouth = findJointByName(model, "mouth");
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  for (int i = 0; i < 3000; ++i) {
+    HeadAngles angles;
+    findHeadAngles({coordinate(random), coordinate(random), coordinate(random)}, &angles);
+    int posture[MAX_JOINTS] = {};
+    posture[neck] = static_cast<int>(std::lround(angles.neck_tilt * 1e6));
+    posture[pan] = static_cast<int>(std::lround(angles.head_pan * 1e6));
+    posture[tilt] = static_cast<int>(std::lround(angles.head_tilt * 1e6));
+    posture[mouth] = model.joints[mouth].highest;
+    for (const int joint : {neck, pan, tilt}) {
+      ASSERT_GE(posture[joint], lowestPosition(model, joint, posture)) << model.joints[joint].name;
+      ASSERT_LE(posture[joint], model.joints[joint].highest) << model.joints[joint].name;
+    }
   }
 }
 

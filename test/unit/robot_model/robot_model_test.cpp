@@ -23,13 +23,6 @@ int index(const RobotModel& model, const std::string& name) {
   return findJointByName(model, name.c_str());
 }
 
-// A posture of the ERS-7 in which no joint restricts another.
-Posture freePosture() {
-  Posture posture{};
-  posture[static_cast<size_t>(index(ers7(), "mouth"))] = microradians(-3);
-  return posture;
-}
-
 struct Step {
   double from;
   double to;
@@ -38,7 +31,8 @@ struct Step {
 
 // Checks the follower's lower limit exactly where a row begins or ends.
 void expectEdges(const std::string& leader, const std::string& follower, const std::vector<Step>& rows) {
-  Posture posture = freePosture();
+  Posture posture{};
+  posture[static_cast<size_t>(index(ers7(), "mouth"))] = microradians(-3);  // out of the way
   for (const Step& row : rows) {
     for (const double edge : {row.from, row.to}) {
       posture[static_cast<size_t>(index(ers7(), leader))] = microradians(edge);

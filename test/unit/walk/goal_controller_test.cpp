@@ -25,19 +25,15 @@ class Walker {
       if (std::fmod(time + 1e-9, 0.1) < kStep) {
         wanted = way.velocityAt(pose_);
         if (wanted.isZero()) {
-          stop();
+          for (double rest = 0; rest < 1; rest += kStep) {
+            pass({});  // it stops
+          }
           return time;
         }
       }
       pass(wanted);
     }
     return 60;
-  }
-
-  void stop() {
-    for (double time = 0; time < 1; time += kStep) {
-      pass({});
-    }
   }
 
   const PlanePose& pose() const { return pose_; }
