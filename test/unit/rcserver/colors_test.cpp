@@ -107,19 +107,14 @@ TEST_F(ColorsTest, EachChannelWithATableIsCounted) {
   EXPECT_EQ(colors.regions.height, kHeight);
   EXPECT_EQ(colors.plane, robot_.color_plane);
   ASSERT_EQ(colors.regions.count, 2);
-  const ColorRegion& first = colors.regions.regions[0];
-  EXPECT_EQ(first.channel, 0);
-  EXPECT_EQ(first.pixels, 11U);
-  EXPECT_EQ(first.x, (64 * (2 * (10 + 11 + 12 + 13) + 50 + 7 + 8) + 5) / 11);
-  EXPECT_EQ(first.y, (64 * (4 * 20 + 4 * 21 + 2 * 22 + 23) + 5) / 11);
-  EXPECT_EQ(first.left, 7);
-  EXPECT_EQ(first.top, 20);
-  EXPECT_EQ(first.width, 44);
-  EXPECT_EQ(first.height, 4);
-  const ColorRegion& second = colors.regions.regions[1];
-  EXPECT_EQ(second.channel, 6);
-  EXPECT_EQ(second.pixels, 8U);
-  EXPECT_EQ(second.x, 64 * (12 + 13 + 14 + 15) / 4);
+  const auto numbersOf = [&colors](int i) {
+    const ColorRegion& region = colors.regions.regions[i];
+    return std::vector<unsigned>{region.channel, region.pixels, region.x,     region.y,
+                                 region.left,    region.top,    region.width, region.height};
+  };
+  EXPECT_THAT(numbersOf(0), testing::ElementsAre(0, 11, (64 * (2 * (10 + 11 + 12 + 13) + 50 + 7 + 8) + 5) / 11,
+                                                 (64 * (4 * 20 + 4 * 21 + 2 * 22 + 23) + 5) / 11, 7, 20, 44, 4));
+  EXPECT_THAT(numbersOf(1), testing::ElementsAre(6, 8, 64 * 54 / 4, 64 * 41 / 2, 12, 20, 4, 2));
 }
 
 TEST_F(ColorsTest, ComeForEveryNthImageUntilTheyAreSwitchedOff) {

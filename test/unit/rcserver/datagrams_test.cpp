@@ -98,8 +98,7 @@ TEST_F(DatagramsTest, PictureOfTheStreamComesInDatagramsThatNoNetworkHasToCut) {
   UdpSocket receiver;
   robot_.showNoise();
   streamTo(receiver);
-  takeImage();
-  const std::vector<ReceivedPart> parts = partsAt(receiver);
+  const std::vector<ReceivedPart> parts = nextPicture(receiver);
   ASSERT_GE(parts.size(), 3U);
   for (size_t i = 0; i < parts.size(); ++i) {
     EXPECT_EQ(parts[i].header.part, i);
@@ -119,36 +118,30 @@ TEST_F(DatagramsTest, RequestedPictureComesByTcp) {
   UdpSocket receiver;
   streamTo(receiver);
   send(frame('F', 50, 77, kLayerHigh));
-  takeImage();
-  EXPECT_THAT(partsAt(receiver), IsEmpty()) << "the image is the requested picture's";
+  EXPECT_THAT(nextPicture(receiver), IsEmpty()) << "the image is the requested picture's";
   const std::vector<Frame> pictures = picturesByTcp();
   ASSERT_EQ(pictures.size(), 1U);
   EXPECT_EQ(pictures[0].header.request_number, 77);
-  takeImage();
-  EXPECT_FALSE(partsAt(receiver).empty());
+  EXPECT_FALSE(nextPicture(receiver).empty());
 }
 
 TEST_F(DatagramsTest, DatagramsGoToTheClientAloneAndEndWithIt) {
   UdpSocket receiver;
   UdpSocket elsewhere("127.0.0.2");
   streamTo(elsewhere);  // its port, at the client's address
-  takeImage();
-  EXPECT_THAT(partsAt(elsewhere), IsEmpty());
+  EXPECT_THAT(nextPicture(elsewhere), IsEmpty());
   switchOn(receiver);
-  takeImage();
-  EXPECT_FALSE(partsAt(receiver).empty());
+  EXPECT_FALSE(nextPicture(receiver).empty());
   reconnect();
   answerTo('W', 85, kStreamOn);
-  takeImage();
-  EXPECT_THAT(partsAt(receiver), IsEmpty());
+  EXPECT_THAT(nextPicture(receiver), IsEmpty());
   EXPECT_EQ(picturesByTcp().size(), 1U);
   disconnect();
   client_ = connect(0, "127.0.0.2");
   send(request('X', 2));
   ASSERT_TRUE(await(*client_));
   streamTo(elsewhere);
-  takeImage();
-  EXPECT_FALSE(partsAt(elsewhere).empty());
+  EXPECT_FALSE(nextPicture(elsewhere).empty());
 }
 
 TEST_F(DatagramsTest, AfterALossEachGroupOfPartsIsFollowedByItsParity) {
@@ -322,9 +315,8 @@ TEST_F(DatagramsTest, WhatMayBeMissingIsSentByTcpWhenDatagramsEnd) {
   }
   send(frame('B', 0, 10, orderPayload(0)));
   EXPECT_THAT(picturesByTcp(), IsEmpty()) << "they have been sent";
-  takeImage();
+  EXPECT_THAT(nextPicture(receiver), IsEmpty());
   EXPECT_EQ(picturesByTcp().size(), 1U);
-  EXPECT_THAT(partsAt(receiver), IsEmpty());
 }
 
 TEST_F(DatagramsTest, AreForgottenAfter200Milliseconds) {

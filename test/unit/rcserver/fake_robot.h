@@ -37,7 +37,6 @@ class FakeRobot : public openr_host::VirtualRobot {
   static constexpr size_t kLayers = 4;
 
   struct FakeJoint {
-    bool open = false;
     bool gain = false;
     bool jammed = false;
     bool refuses_gains = false;  ///< SetJointGain fails
@@ -120,7 +119,6 @@ class FakeRobot : public openr_host::VirtualRobot {
     }
     const int joint = robot_model::findJointByLocator(model, locator);
     if (joint != robot_model::NO_JOINT) {
-      joints[static_cast<size_t>(joint)].open = true;
       *id = kFirstPrimitive + static_cast<OPrimitiveID>(joint);
     } else if (const int sensor = robot_model::findSensorByLocator(model, locator); sensor != robot_model::NO_SENSOR) {
       *id = kFirstSensor + static_cast<OPrimitiveID>(sensor);
@@ -137,12 +135,7 @@ class FakeRobot : public openr_host::VirtualRobot {
     }
     return oSUCCESS;
   }
-  OStatus closePrimitive(OPrimitiveID id) override {
-    if (id < kFirstSensor) {
-      at(id).open = false;
-    }
-    return oSUCCESS;
-  }
+  OStatus closePrimitive(OPrimitiveID) override { return oSUCCESS; }
   OStatus controlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param, size_t size, void*,
                            size_t) override {
     longword value = 0;

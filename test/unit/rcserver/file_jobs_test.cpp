@@ -156,20 +156,13 @@ class LonelyServerTest : public FileJobsTest {
   }
 };
 
-TEST_F(LonelyServerTest, WithoutFileKeeperOnlyFileRequestsAreRefused) {
-  send(frame('P', 0, 1, playPayload("WAG.MTN", 1)) + frame('N', 0, 2) + frame('H', 0, 3) + frame('M', 85, 4) +
-       frame('Y', 1, 5));
-  const std::vector<std::string> got = heard();
-  ASSERT_EQ(got.size(), 5U);
-  EXPECT_THAT(got[0], HasSubstr("e1 0 the object FileKeeper does not run on the robot: FILES.BIN is missing"));
-  EXPECT_THAT(got[1], HasSubstr("e2 0 the object FileKeeper does not run"));
-  EXPECT_EQ(got[2], "h3");
-  EXPECT_THAT(got[3], HasSubstr("e4 0 the object FileKeeper does not run"));
-  EXPECT_THAT(got[4], HasSubstr("e5 0 the object FileKeeper does not run"));
-}
-
-TEST_F(LonelyServerTest, MissingPictureEncoderIsNamedOnTheConsole) {
-  send(frame('F', 85, 1, std::string(1, '\0')));
+TEST_F(LonelyServerTest, RefusesFileRequestsAndNamesWhatPicturesNeedOnTheConsole) {
+  const std::pair<char, int> requests[] = {{'P', 0}, {'N', 0}, {'M', 85}, {'Y', 1}};
+  for (const auto& [kind, id] : requests) {
+    expectRefusal(answerTo(kind, id, kind == 'P' ? playPayload("WAG.MTN", 1) : ""), protocol::version2::CODE_REFUSED,
+                  "the object FileKeeper does not run on the robot: FILES.BIN is missing");
+  }
+  send(frame('F', 85, 1, kLayerHigh));
   passFrames(FakeRobot::kFramesPerImage);
   EXPECT_TRUE(awaitEnd(*client_));
   EXPECT_THAT(console_.str(), HasSubstr("the object PictureEncoder does not run: ENCODER.BIN is missing"));

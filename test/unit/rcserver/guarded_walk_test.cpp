@@ -15,24 +15,20 @@ using Velocity = protocol::version2::Velocity;
 
 constexpr unsigned kFramesBetweenSteering = 12;
 
-class GuardedWalkTest : public RCServerFixture {
+class GuardedWalkTest : public FakeRobotFixture {
  protected:
   void begin(std::uint64_t seed) {
-    client_.reset();
     machine_.reset();
     SimulatedErs7::Options options;
     options.on_table = true;
     options.seed = seed;
-    robot_ = std::make_unique<SimulatedErs7>(options);
-    boot(*robot_);
+    walker_ = std::make_unique<SimulatedErs7>(options);
+    boot(*walker_);
     passFrames(kUntilMeasured);
-    client_ = connect();
-    client_->send(request('X', 2));
-    ASSERT_TRUE(machine_->runUntil([this] { return !client_->take(protocol::VALUE_REPLY_SIZE).empty(); }));
+    connectVersion2();
     client_->send(frame('T', TELEMETRY_PLAIN, 1, {0, 4}));
-    falls_ = 0;
     longest_push_ = walked_ = pushed_ = 0;
-    last_ = robot_->pose();
+    last_ = walker_->pose();
     client_->send(frame('E', POSTURE_STAND, 2, order()));
     pass(4);
     steer({0, 0, 0}, 1.5);  // it lets go
@@ -40,7 +36,7 @@ class GuardedWalkTest : public RCServerFixture {
 
   void TearDown() override {
     machine_.reset();
-    robot_.reset();
+    walker_.reset();
   }
 
   void steer(const Velocity& velocity, double seconds) {
@@ -62,13 +58,11 @@ class GuardedWalkTest : public RCServerFixture {
   }
 
   void listen() {
-    while (const auto next = client_->nextFrame()) {
-      EndMessage end = {};
-      Telemetry telemetry = {};
-      if (next->header.kind == END_PUSH && decode(next->payload.data(), next->payload.size(), &end) == nullptr) {
-        last_end_ = {end.reason, end.reason_size};
-      } else if (next->header.kind == TELEMETRY_PUSH && next->header.request_number == 0 &&
-                 decode(next->payload.data(), next->payload.size(), &telemetry) == nullptr) {
+    for (const Frame& next : arrived()) {
+      if (next.header.kind == END_PUSH) {
+        last_end_ = textOf(next);
+      } else if (next.header.kind == TELEMETRY_PUSH && next.header.request_number == 0) {
+        const auto telemetry = payloadIn<Telemetry>(next);
         walked_ = 0;
         for (size_t i = 0; i < telemetry.count; ++i) {
           const TelemetryEntry& entry = telemetry.entries[i];
@@ -81,11 +75,10 @@ class GuardedWalkTest : public RCServerFixture {
   }
 
   void watch() {
-    const simulated_ers7::Place& place = robot_->pose();
+    const simulated_ers7::Place& place = walker_->pose();
     const double way = std::hypot(place.x - last_.x, place.y - last_.y);
-    falls_ += robot_->travel().hasFallenOff() ? 1 : 0;
     last_ = place;
-    const bool is_pushed = robot_->travel().isStopped() && walked_ > 0.01 && way / 0.008 < walked_ / 2;
+    const bool is_pushed = walker_->travel().isStopped() && walked_ > 0.01 && way / 0.008 < walked_ / 2;
     // A push goes on through the moments of a step in which the feet hardly move.
     pushed_ = is_pushed ? pushed_ + 0.008 : std::max(0.0, pushed_ - 0.004);
     longest_push_ = std::max(longest_push_, pushed_);  // s
@@ -97,7 +90,7 @@ class GuardedWalkTest : public RCServerFixture {
     const auto draw = [&random](double least, double most) {
       return least + (most - least) * static_cast<double>(random() % 1000001) / 1e6;
     };
-    for (double passed = 0; passed < 60 && falls_ == 0;) {
+    for (double passed = 0; passed < 60 && !walker_->travel().hasFallenOff();) {
       const double seconds = draw(0.5, 4);
       const double kind = draw(0, 1);
       Velocity velocity = {0, 0, 0};
@@ -118,9 +111,7 @@ class GuardedWalkTest : public RCServerFixture {
     }
   }
 
-  std::unique_ptr<SimulatedErs7> robot_;
-  std::unique_ptr<TestClient> client_;
-  int falls_ = 0;
+  std::unique_ptr<SimulatedErs7> walker_;
   double longest_push_ = 0;  ///< s; the board takes more than half of the way that the legs walk
   std::string last_end_;
   simulated_ers7::Place last_;
@@ -132,7 +123,7 @@ class GuardedWalkTest : public RCServerFixture {
 TEST_F(GuardedWalkTest, HoweverItIsSteeredItNeitherFallsOffATableNorPushesAgainstABoard) {
   for (unsigned i = 1; i <= (std::getenv("AIBO_WHOLE_CAMPAIGN") != nullptr ? 100 : 6); ++i) {
     drive(i);
-    EXPECT_EQ(falls_, 0) << "drive " << i << ", " << last_end_;
+    EXPECT_FALSE(walker_->travel().hasFallenOff()) << "drive " << i << ", " << last_end_;
     EXPECT_LT(longest_push_, 1) << "drive " << i;
   }
 }

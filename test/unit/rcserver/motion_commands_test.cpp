@@ -26,18 +26,12 @@ class MotionsInVersion1 : public Version1Fixture {
            content;
   }
 
-  std::string answer() {
-    const std::optional<Reply> reply = await(*client_);
-    machine_->runPending();
-    if (!reply) {
-      return "none";
-    }
-    return reply->letter + std::to_string(reply->value.identifier) + " " + std::to_string(reply->value.value);
-  }
-
   std::string answerTo(const std::string& bytes) {
     client_->send(bytes);
-    return answer();
+    const std::optional<Reply> reply = await(*client_);
+    machine_->runPending();
+    return reply ? reply->letter + std::to_string(reply->value.identifier) + " " + std::to_string(reply->value.value)
+                 : "none";
   }
 
   const std::string motion_ = motionBytes("at 0 head_pan 0\nat 800 head_pan 30\n");

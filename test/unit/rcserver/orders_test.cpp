@@ -86,18 +86,13 @@ class OrdersTest : public Version2Fixture {
     return -1;
   }
 
-  // Steers for a number of frames, so that no walk ends because the client is silent.
-  void steer(int number, unsigned frames) {
-    for (unsigned passed = 0; passed < frames; passed += 12) {
-      ask(number, kWalk);
-      passFrames(12);
-    }
-  }
-
   void beginWalk(int number) {
     ask(900, kLetGo);
     ask(number, kWalk);
-    steer(901, 500);
+    for (int passed = 0; passed < 500; passed += 12) {  // no walk ends because the client is silent
+      ask(901, kWalk);
+      passFrames(12);
+    }
     heard();
   }
 };

@@ -170,26 +170,21 @@ const RefusedRequest kRefusals[] = {
     {'C', 0, "", CODE_NOT_SUPPORTED, "H F W J V T O I L K G Z B P N A S E U D M Y Q R"},
 };
 
-struct RequestNotAllowed {
-  char kind;
-  int id;
-  std::string payload;
-  const char* setting;
-};
-
-const RequestNotAllowed kNotAllowed[] = {
-    {'A', SOUND_MICROPHONE, payloadOf(MicrophoneSettings{MICROPHONE_ON, 1, 8000}), "ALLOW_MICROPHONE=yes"},
-    {'A', SOUND_SPEAKER, soundFrom(0), "ALLOW_SOUND=yes"},
-    {'A', SOUND_VOLUME, "\3", "ALLOW_SOUND=yes"},
-    {'U', 0, uploadPayload("NEW.MTN", "x"), "ALLOW_UPLOAD=yes"},
-    {'D', 0, "NOD.MTN", "ALLOW_DELETE=yes"},
-    {'M', 85, "", "ALLOW_PICTURES=yes"},
-    {'Y', LIST_PICTURES, "", "ALLOW_PICTURES=yes"},
-    {'Y', FETCH_PICTURE, "A.JPG", "ALLOW_PICTURES=yes"},
-    {'Y', DELETE_PICTURE, "A.JPG", "ALLOW_PICTURES=yes"},
-    {'Y', DELETE_PICTURE, "A.JPG", "ALLOW_DELETE=yes"},
-    {'Q', 0, "", "ALLOW_SHUT_DOWN=yes"},
-    {'R', 0, "", "ALLOW_REBOOT=yes"},
+// The problem is the setting.
+const RefusedRequest kNotAllowed[] = {
+    {'A', SOUND_MICROPHONE, payloadOf(MicrophoneSettings{MICROPHONE_ON, 1, 8000}), CODE_REFUSED,
+     "ALLOW_MICROPHONE=yes"},
+    {'A', SOUND_SPEAKER, soundFrom(0), CODE_REFUSED, "ALLOW_SOUND=yes"},
+    {'A', SOUND_VOLUME, "\3", CODE_REFUSED, "ALLOW_SOUND=yes"},
+    {'U', 0, uploadPayload("NEW.MTN", "x"), CODE_REFUSED, "ALLOW_UPLOAD=yes"},
+    {'D', 0, "NOD.MTN", CODE_REFUSED, "ALLOW_DELETE=yes"},
+    {'M', 85, "", CODE_REFUSED, "ALLOW_PICTURES=yes"},
+    {'Y', LIST_PICTURES, "", CODE_REFUSED, "ALLOW_PICTURES=yes"},
+    {'Y', FETCH_PICTURE, "A.JPG", CODE_REFUSED, "ALLOW_PICTURES=yes"},
+    {'Y', DELETE_PICTURE, "A.JPG", CODE_REFUSED, "ALLOW_PICTURES=yes"},
+    {'Y', DELETE_PICTURE, "A.JPG", CODE_REFUSED, "ALLOW_DELETE=yes"},
+    {'Q', 0, "", CODE_REFUSED, "ALLOW_SHUT_DOWN=yes"},
+    {'R', 0, "", CODE_REFUSED, "ALLOW_REBOOT=yes"},
 };
 
 class Requests : public FakeRobotFixture {
@@ -230,10 +225,10 @@ TEST_F(Requests, AreRefusedAsAWholeAndTheConnectionGoesOn) {
 }
 
 TEST_F(Requests, AreRefusedUnlessTheOwnerAllowsThem) {
-  for (const RequestNotAllowed& row : kNotAllowed) {
+  for (const RefusedRequest& row : kNotAllowed) {
     SCOPED_TRACE(std::string(1, row.kind) + std::to_string(row.id));
     std::string others = std::string(kEverything) + "ALLOW_SOUND=yes\n";
-    const std::string setting = row.setting;
+    const std::string setting = row.problem;
     others.replace(others.find(setting), setting.size(), setting.substr(0, setting.find('=')) + "=no");
     expectRefusal(answerOfNewRobot(others, row.kind, row.id, row.payload), CODE_REFUSED,
                   "this is not allowed; " + setting + " in RCSERVER.CFG");
@@ -246,7 +241,7 @@ TEST_F(Requests, AreRefusedUnlessTheOwnerAllowsThem) {
 }
 
 TEST_F(Requests, AreRefusedWithTheWrongLineWhileTheFileIsIgnored) {
-  for (const RequestNotAllowed& row : kNotAllowed) {
+  for (const RefusedRequest& row : kNotAllowed) {
     expectRefusal(answerOfNewRobot(std::string(kEverything) + "#\nALLOW_EVERYTHING=yes", row.kind, row.id, row.payload),
                   CODE_REFUSED, "RCSERVER.CFG on the memory stick is ignored: line 8: there is no such setting");
   }

@@ -25,19 +25,6 @@ struct Felt {
   bool stands = true;
 };
 
-// A report every 4 frames.
-void feel(FallWatch& watch, const std::vector<Felt>& all, int times = 1) {
-  unsigned frame = 0;
-  for (int i = 0; i < times; ++i) {
-    for (const Felt& felt : all) {
-      for (unsigned passed = 0; passed < felt.frames; passed += 4) {
-        frame += 4;
-        watch.Look(felt.reading, felt.stands, frame);
-      }
-    }
-  }
-}
-
 TEST(FallWatch, TellsHowTheRobotIsFromItsAccelerometerAndItsPaws) {
   const FallWatch::Reading two_paws = {0, 0, kGravity, {false, false, true, true}};
   const struct {
@@ -68,7 +55,14 @@ TEST(FallWatch, TellsHowTheRobotIsFromItsAccelerometerAndItsPaws) {
   };
   for (const auto& row : rows) {
     FallWatch watch;
-    feel(watch, row.felt, row.times);
+    unsigned frame = 0;
+    for (int i = 0; i < row.times; ++i) {
+      for (const Felt& felt : row.felt) {
+        for (const unsigned end = frame + felt.frames; frame < end;) {
+          watch.Look(felt.reading, felt.stands, frame += 4);  // a report every 4 frames
+        }
+      }
+    }
     EXPECT_EQ(watch.Now(), row.verdict) << row.what;
   }
 }
