@@ -402,25 +402,16 @@ class Verification(Workshop):
                             "does not connect PictureEncoder.Job.PictureJob.O", "write the stick again")
         self.expect_problem(path, b"RCServer.Effector.OCommandVectorData.S\n", "line 1: a line needs two services",
                             "write the stick again")
-        self.expect_problem(path, effector + b" RCServer.Effector.OCommandVectorData.S\n",
-                            "line 1: a line needs two services", "write the stick again")
         self.expect_problem(path, b"OVirtualRobotComm.Sensor.OSensorFrameVectorData.S " + effector,
                             "have different data types", "the same")
 
     def test_of_rcserver_cfg(self):
-        """What the robot's own reader says of each file; settings_test.cpp has its rules."""
+        """What the robot's own reader says; settings_test.cpp has its rules."""
         path, ignored = "MW/CONF/RCSERVER.CFG", "only 127.0.0.1 may connect"
         for content, line in ((b"ALLOW_UPLOAD=maybe\r\n", "line 1: it is neither yes nor no"),
-                              (b"# mine\nALOW_UPLOAD=yes\n", "line 2: there is no such setting"),
-                              (b"ALLOWED_ADDRESSES=192.168.7\n", "line 1: it is not a list of addresses"),
-                              (b"\xef\xbb\xbf\n\nMOTORS_AT_BOOT: no", "line 3: it is not NAME=VALUE"),
                               ("ALLOW_UPLOAD=yes\x1b\n".encode("utf-16"), "line 1: it has a character that is not ASCII")):
             self.expect_problem(path, content, f"{self.stick}: OPEN-R/MW/CONF/RCSERVER.CFG, {line}", ignored)
         self.expect_problem("MW/CONF/RCSERVER.TXT", b"", "RCSERVER.TXT, which is not read", ignored)
-        for content in (b"\xef\xbb\xbfALLOW_UPLOAD=no # f\xc3\xbcr G\xc3\xa4ste\r\n", b"ALLOW_UPLOAD=no\r\n\x1a",
-                        b"# f\xfcr G\xe4ste\nALLOW_UPLOAD=no"):
-            (self.open_r / path).write_bytes(content)
-            self.assertEqual(self.verify().returncode, 0, content)
         (self.open_r / path).unlink()
         os.mkfifo(self.open_r / path)
         self.expect_failure(self.verify(), "RCSERVER.CFG cannot be read", ignored)
@@ -573,12 +564,6 @@ class CheckBinary(Workshop):
         done = self.make_stick()
         self.expect_failure(done, "its flags are 0x5", "Do not start it")
         self.assertNotRegex(done.stdout, "no fault found|unusual")
-
-    def test_is_part_of_the_build(self):
-        (self.sdk / "faulty").write_bytes((self.sdk / "program").read_bytes().replace(b"mCOOP", b"other"))
-        with (self.sdk / "OPEN_R/bin/mkbin").open("a") as script:
-            script.write('case $output in *PictureEncoder*) cp "${0%/*}/../../faulty" "$output" ;; esac\n')
-        self.expect_failure(self.make_stick(), "ENCODER.BIN: .SnapShotHdr describes no OPEN-R", "Do not start it")
         self.assertFalse(self.stick.exists())
 
 
