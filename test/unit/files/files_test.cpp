@@ -34,15 +34,7 @@ using ::testing::HasSubstr;
 
 class FilesTest : public ::testing::Test {
  protected:
-  // The working directory is another folder, and a file that this user writes is not the usual one of others.
-  FilesTest() : old_mask_(::umask(002)) {
-    std::string pattern = (fs::temp_directory_path() / "files of t\u00e9st.XXXXXX").string();
-    folder_ = fs::canonical(::mkdtemp(pattern.data()));
-  }
-  ~FilesTest() override {
-    fs::remove_all(folder_);
-    ::umask(old_mask_);
-  }
+  FilesTest() { fs::create_directory(folder_); }
 
   std::string write(const std::string& content) const {
     const std::string path = (folder_ / "nod.mtn").string();
@@ -64,10 +56,8 @@ class FilesTest : public ::testing::Test {
     return test_support::refusalOf<FileException>([&] { function(); });
   }
 
-  fs::path folder_;
-
- private:
-  const mode_t old_mask_;
+  const test_support::TemporaryFolder temporary_;
+  const fs::path folder_ = fs::canonical(temporary_.path()) / "files of t\u00e9st";  // not the working directory
 };
 
 class LoadFileTest : public FilesTest {
