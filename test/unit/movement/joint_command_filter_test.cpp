@@ -3,15 +3,12 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <limits>
 
 namespace aibo_driver::movement {
 namespace {
 
 using std::chrono::milliseconds;
 using std::chrono::seconds;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
@@ -78,8 +75,9 @@ class JointCommandFilterTest : public ::testing::Test {
 TEST_F(JointCommandFilterTest, SaysWhichJointCannotGoWhereItIsCommanded) {
   for (const double position : {40.0, -1.54, 1e300}) {
     EXPECT_THAT(filter({{"mouth", "head_pan"}, {-0.5, position}, {}}).remarks,
-                ElementsAre("The position commanded for head_pan is beyond its limits, -1.536 to 1.536 rad: it goes as "
-                            "far as it can."))
+                testing::ElementsAre(
+                    "The position commanded for head_pan is beyond its limits, -1.536 to 1.536 rad: it goes as "
+                    "far as it can."))
         << position;
     EXPECT_NEAR(target({{"head_pan"}, {position}, {}}).position, position > 0 ? 1.53589 : -1.53589, 1e-5);
   }
@@ -102,7 +100,7 @@ TEST_F(JointCommandFilterTest, LeavesOutWhatItCannotDoSaysSoAndCarriesOutTheRest
     EXPECT_DOUBLE_EQ(result.targets.at(kMouth).position, -0.5);
     ASSERT_THAT(result.remarks, SizeIs(row.left_out.size()));
     for (std::size_t i = 0; i < row.left_out.size(); ++i) {
-      EXPECT_THAT(result.remarks[i], HasSubstr(row.left_out[i]));
+      EXPECT_THAT(result.remarks[i], testing::HasSubstr(row.left_out[i]));
     }
   }
 }

@@ -3,10 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <map>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "aibo_client/exceptions.h"
 
@@ -17,14 +14,10 @@ using aibo_client::EndedHow;
 namespace {
 
 using std::chrono::duration;
-using std::chrono::duration_cast;
 using std::chrono::milliseconds;
-using ::testing::AllOf;
-using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using ::testing::Key;
 using ::testing::SizeIs;
 
 constexpr int kPan = 2;
@@ -41,7 +34,7 @@ class JointPlanTest : public ::testing::Test {
   }
 
   static SteadyTime at(double seconds) {
-    return SteadyTime() + duration_cast<SteadyTime::duration>(duration<double>(100 + seconds));
+    return SteadyTime() + std::chrono::duration_cast<SteadyTime::duration>(duration<double>(100 + seconds));
   }
 
   void measure(double time, double pan = 0, double mouth = -0.5) {
@@ -101,7 +94,7 @@ class JointPlanTest : public ::testing::Test {
         const std::size_t joint = *table_.findById(id);
         EXPECT_EQ(target.id, id);
         EXPECT_EQ(target.speed, table_.speedLimit(joint));
-        EXPECT_THAT(plan_.jointsOf(step.movement), Contains(table_[joint].name));
+        EXPECT_THAT(plan_.jointsOf(step.movement), testing::Contains(table_[joint].name));
         EXPECT_TRUE(sent.emplace(id, target.position).second) << "joint " << id << " is sent to two places";
         sent_[id] = target.position;
       }
@@ -298,7 +291,7 @@ TEST_F(JointPlanTest, HoldsAJointOfATrajectoryWhereItWasSent) {
   EXPECT_NEAR(targets.at(kPan).position, sent_[kPan], 1e-9) << "not back to where it is";
   EXPECT_THAT(targets, SizeIs(2));
   EXPECT_THAT(plan_.holdingTargets(at(0.34), mouth), SizeIs(1));
-  EXPECT_THAT(plan_.holdingTargets(at(0.34), head), ElementsAre(Key(kPan)));
+  EXPECT_THAT(plan_.holdingTargets(at(0.34), head), ElementsAre(testing::Key(kPan)));
 }
 
 TEST_F(JointPlanTest, SaysWhatMovesUntilItIsMeasuredWhereItWasSent) {

@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
-
 #include "aibo_client/exceptions.h"
 
 namespace aibo_driver::movement {

@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <tuple>
-#include <vector>
-
 namespace aibo_driver::movement {
 
 using aibo_client::Telemetry;

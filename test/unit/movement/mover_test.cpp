@@ -3,12 +3,6 @@
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
-#include <functional>
-#include <map>
-#include <string>
-#include <vector>
-
 #include "aibo_client/exceptions.h"
 #include "support/fake_client.h"
 
@@ -26,10 +20,7 @@ using aibo_client::PostureNow;
 using aibo_client::RefusalCause;
 using aibo_client::RefusedRequest;
 using aibo_client::TimeoutException;
-using ::testing::AllOf;
-using ::testing::AnyOf;
 using ::testing::Contains;
-using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -226,8 +217,6 @@ void happen(Robot& robot, const std::vector<std::string>& events) {
   }
 }
 
-// ---- Ends
-
 TEST(Ends, OfACommandAreThoseOfTheTable) {
   const struct {
     const char* end;
@@ -369,8 +358,6 @@ TEST_F(MoverTest, AStreamThatIsRefusedAgainAndAgainHasOneEnd) {
   EXPECT_THAT(told_ends, SizeIs(6)) << "each call has its answer";
 }
 
-// ---- Orders that do not act
-
 const std::vector<std::pair<std::string, std::function<void(Robot&, const Order&)>>> kOrders = {
     {"command", [](Robot& robot, const Order& order) { robot.mover.command(order, {"head_pan"}, {0.5}, {}); }},
     {"trajectory",
@@ -411,7 +398,7 @@ TEST(Orders, AreRefusedForTheseReasonsAndMoveNothing) {
       happen(robot, row.meanwhile);
       robot.told();
       give(robot, order);
-      EXPECT_THAT(robot.lastEnd(), AllOf(StartsWith("REFUSED"), HasSubstr(row.reason))) << name;
+      EXPECT_THAT(robot.lastEnd(), testing::AllOf(StartsWith("REFUSED"), HasSubstr(row.reason))) << name;
       EXPECT_THAT(robot.told(), IsEmpty()) << name;
     }
   }
@@ -461,11 +448,9 @@ TEST_F(MoverTest, JointsThatAreLeftOutAreNamedInOneShortPlainLine) {
   EXPECT_THAT(warnings, ElementsAre("The ERS-7 has no joint 'a'. The ERS-7 has no joint 'b'. The ERS-7 has no joint "
                                     "'c'. and 1 more"));
   EXPECT_EQ(textOf(command("a", 0.1)), "REFUSED The ERS-7 has no joint 'a'");
-  EXPECT_THAT(textOf(follow("a\n\x1b[31m", 0)), Not(AnyOf(HasSubstr("\n"), HasSubstr("\x1b"))));
+  EXPECT_THAT(textOf(follow("a\n\x1b[31m", 0)), Not(testing::AnyOf(HasSubstr("\n"), HasSubstr("\x1b"))));
   EXPECT_LE(textOf(follow(std::string(100000, 'a'), 0)).size(), 1020u);
 }
-
-// ---- Stop and release
 
 TEST_F(MoverTest, AStopLastsUntilRelease) {
   mover.stop(order("/panel"));
@@ -601,8 +586,6 @@ TEST_F(MoverTest, AVersion1ServerHoldsWhereATrajectoryWasSentAndACommandShouldBe
   EXPECT_THAT(told(), Not(Contains("stop ")));
 }
 
-// ---- Motors
-
 TEST_F(MoverTest, TheMotorsAreWhatTheRobotSaysAndUnknownWithoutAConnection) {
   EXPECT_TRUE(mover.setMotors(order(), true));
   client.meanwhile = [this] { says(MotorState::kOff, PostureNow::kStanding); };
@@ -630,8 +613,6 @@ TEST(Joints, AreApproachedSlowlyAfterWhateverMayHaveMovedThem) {
     EXPECT_THAT(robot.client.told, ElementsAre("V 2:0.50", "J 2:1.00 in 0")) << events[0];
   }
 }
-
-// ---- Motions and postures
 
 TEST_F(MoverTest, MotionsAndWalksHaveTheRobotsOwnSpeedsAndCommandsKeepTheirs) {
   const auto speed_limits = [this] {
@@ -710,8 +691,6 @@ TEST_F(MoverTest, StoppingOneMotionLeavesTheOthers) {
   EXPECT_EQ(textOf(nod), "STOPPED /panel stopped it");
   EXPECT_EQ(textOf(wag), "-");
 }
-
-// ---- Trajectories
 
 TEST(Trajectory, IsRefusedUnlessItsJointsAreMeasured) {
   const struct {
@@ -828,8 +807,6 @@ TEST_F(MoverTest, ATrajectoryWhoseStepCannotBeSentIsLost) {
   EXPECT_EQ(textOf(trajectory), "LOST there is no robot");
 }
 
-// ---- Walking by velocities
-
 TEST(Walk, HasToBeLetGoFirstAfterTheseEvents) {
   const struct {
     std::string reason;
@@ -865,7 +842,7 @@ TEST(Walk, HasToBeLetGoFirstAfterTheseEvents) {
         robot.steer(0, "/other");
         EXPECT_EQ(robot.lastEnd(), "REFUSED " + row.reason + kLetGo);
       }
-      EXPECT_THAT(robot.told(), Each("steer 0.00 0.00 0.00")) << row.reason;
+      EXPECT_THAT(robot.told(), testing::Each("steer 0.00 0.00 0.00")) << row.reason;
       by_a_zero ? robot.steer(0) : robot.pass(500ms);
       robot.told();
       robot.steer(0.1);
@@ -972,8 +949,6 @@ TEST_F(MoverTest, OneWalkMayBeSteeredByTwoNodesAndIsTheOthersWhenTheFirstPauses)
   EXPECT_EQ(lastEnd(), "REPLACED /navigation steers now");
 }
 
-// ---- Walking to a goal
-
 TEST_F(MoverTest, AGoalIsReachedWhenTheRobotStandsThere) {
   const auto goal = mover.walkToGoal(order(), "1 m ahead");
   EXPECT_EQ(mover.state().movements.at(0).name, "1 m ahead");
@@ -1056,8 +1031,6 @@ TEST(Goal, ThatIsCancelledOrStoppedByAVelocityOf0Brakes) {
   }
 }
 
-// ---- What a listener is told
-
 TEST_F(MoverTest, EachChangeIsToldAndThatTheJointsHaveToBeMovedOn) {
   int changes = 0;
   int begins = 0;
@@ -1073,16 +1046,6 @@ TEST_F(MoverTest, EachChangeIsToldAndThatTheJointsHaveToBeMovedOn) {
   EXPECT_TRUE(mover.advance());
   mover.stop(order());
   EXPECT_FALSE(mover.advance());
-}
-
-TEST(Movement, IsDescribedInWordsThatBeginASentence) {
-  const std::vector<std::string> joints{"head_pan", "mouth"};
-  EXPECT_EQ(describe({Kind::kCommand, "", "/user", joints, {}}), "The command of head_pan, mouth");
-  EXPECT_EQ(describe({Kind::kTrajectory, "", "/user", joints, {}}), "The trajectory of head_pan, mouth");
-  EXPECT_EQ(describe({Kind::kMotion, "NOD.MTN", "/user", {}, {}}), "The motion NOD.MTN");
-  EXPECT_EQ(describe({Kind::kWalk, "", "/user", {}, {}}), "The walk");
-  EXPECT_EQ(describe({Kind::kPosture, "sit", "/user", {}, {}}), "The posture sit");
-  EXPECT_EQ(describe({Kind::kLookAt, "", "/user", joints, {}}), "The look_at");
 }
 
 }  // namespace

@@ -2,16 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
-
 namespace aibo_driver::movement {
 namespace {
 
-using std::chrono::milliseconds;
-
 class SteeringStreamsTest : public ::testing::Test {
  protected:
-  static SteadyTime at(int time) { return SteadyTime(milliseconds(100000 + time)); }
+  static SteadyTime at(int time) { return SteadyTime(std::chrono::milliseconds(100000 + time)); }
 
   std::string receive(int time, const std::string& node = "/a", bool is_zero = false) {
     return streams_.receive({node, at(time)}, is_zero, at(time));
