@@ -118,14 +118,18 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       joint_table_(parameters_.robot, parameters_.joint_speed_limit, parameters_.motion_speed_limit),
       measured_joints_(joint_table_),
       power_(model_),
-      policy_(parameters_.stream_on_start, parameters_.stream_on_demand),
+      policy_(
+          parameters_.stream_on_start, parameters_.stream_on_demand,
+          [this] { return camera_.hasSubscribers() || raw_images_.hasSubscribers(); },
+          [this](bool on) { client_.setStreaming(on); }),
       connection_(handle_, private_handle.getNamespace(), parameters_.client),
-      camera_(ros::NodeHandle(handle_, "camera"), parameters_, usedRobotClock(),
-              [this] { policy_.subscribersChanged(); }),
+      camera_(ros::NodeHandle(handle_, "camera"), parameters_, usedRobotClock(), [this] { policy_.decide(); }),
       camera_state_(ros::NodeHandle(handle_, "camera")),
-      raw_images_(ros::NodeHandle(handle_, "camera"), "image_raw", [this] { policy_.subscribersChanged(); }),
-      colors_(handle_, parameters_, usedRobotClock()),
-      microphone_(handle_, parameters_, usedRobotClock()),
+      raw_images_(ros::NodeHandle(handle_, "camera"), "image_raw", [this] { policy_.decide(); }),
+      colors_(handle_, parameters_, usedRobotClock(),
+              [this](const aibo_client::ColorDetection& detection) { client_.setColorDetection(detection); }),
+      microphone_(handle_, parameters_, usedRobotClock(),
+                  [this](const aibo_client::MicrophoneSettings& settings) { client_.setMicrophone(settings); }),
       telemetry_(handle_, parameters_, model_, joint_table_, measured_joints_, telemetry_stamper_),
       odometry_(handle_, parameters_, telemetry_stamper_),
       led_states_(handle_, model_),
@@ -168,10 +172,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
   if (parameters_.get_up) {
     letItGetUp(name);
   }
-  colors_.start([this](const aibo_client::ColorDetection& detection) { client_.setColorDetection(detection); });
-  microphone_.start([this](const aibo_client::MicrophoneSettings& settings) { client_.setMicrophone(settings); });
-  policy_.start([this] { return camera_.hasSubscribers() || raw_images_.hasSubscribers(); },
-                [this](bool on) { client_.setStreaming(on); });
+  policy_.decide();
   client_.start();
   for (CallbackThreads* const each : threads_) {
     each->start();
@@ -181,9 +182,6 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
 // The client stops first, because that ends a service that waits for the robot. The threads stop before the members go,
 // because roscpp 1.15 does not wait for the callback of a timer or a service that it removes (ros_comm #2283).
 AiboDriver::~AiboDriver() {
-  policy_.stop();
-  colors_.stop();
-  microphone_.stop();
   client_.stop();
   player_.finish();
   for (CallbackThreads* const each : threads_) {

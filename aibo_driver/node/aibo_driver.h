@@ -14,6 +14,7 @@
 
 #include "aibo_client/rcserver_client.h"
 #include "camera/link_meter.h"
+#include "camera/stream_policy.h"
 #include "movement/joint_table.h"
 #include "movement/measured_joints.h"
 #include "movement/mover.h"
@@ -30,7 +31,6 @@
 #include "node/camera/color_table_service.h"
 #include "node/camera/raw_image_publisher.h"
 #include "node/camera/stream_adapter.h"
-#include "node/camera/stream_policy.h"
 #include "node/connection_publisher.h"
 #include "node/driver_diagnostics.h"
 #include "node/driver_parameters.h"
@@ -127,7 +127,7 @@ class AiboDriver {
   PowerStatus power_;
   text::ThrottledWarnings design_warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
   camera::LinkMeter meter_;
-  StreamPolicy policy_;
+  camera::StreamPolicy policy_;
   ConnectionPublisher connection_;
   CameraPublisher camera_;
   CameraStatePublisher camera_state_;

@@ -11,11 +11,11 @@
 
 #include "aibo_client/rcserver_client.h"
 #include "camera/link_meter.h"
+#include "camera/stream_policy.h"
 #include "movement/mover.h"
 #include "node/body/power_status.h"
 #include "node/camera/raw_image_publisher.h"
 #include "node/camera/stream_adapter.h"
-#include "node/camera/stream_policy.h"
 #include "node/driver_parameters.h"
 #include "node/live_settings.h"
 #include "node/sound/microphone_publisher.h"
@@ -38,7 +38,7 @@ class DriverDiagnostics {
   struct Sources {
     const DriverParameters& parameters;
     const aibo_client::RcServerClient& client;
-    const StreamPolicy& policy;
+    const camera::StreamPolicy& policy;
     const StreamAdapter& adapter;
     const RawImagePublisher& raw_images;
     const LiveSettings& settings;

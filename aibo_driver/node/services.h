@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "aibo_client/rcserver_client.h"
+#include "camera/stream_policy.h"
 #include "movement/mover.h"
-#include "node/camera/stream_policy.h"
 #include "node/driver_parameters.h"
 #include "sound/player.h"
 
@@ -62,7 +62,7 @@ Services takePictureServices(
 
 /// set_streaming and toggle_streaming, which do not wait.
 Services streamServices(const DriverParameters& parameters, const aibo_client::RcServerClient& client,
-                        StreamPolicy& policy);
+                        camera::StreamPolicy& policy);
 
 /// play_sound, say and set_volume. Their calls wait for espeak-ng and for the robot.
 Services soundServices(aibo_client::RcServerClient& client, sound::Player& player);

@@ -1,7 +1,5 @@
 #include "node/camera/color_publisher.h"
 
-#include <utility>
-
 #include "camera/camera_options.h"
 
 namespace aibo_driver::node {
@@ -13,30 +11,19 @@ constexpr std::uint32_t kColorQueueSize = 5;  // the same size as for pictures
 }  // namespace
 
 ColorPublisher::ColorPublisher(const ros::NodeHandle& handle, const DriverParameters& parameters,
-                               robot_time::RobotClock* robot_clock)
-    : frame_id_(parameters.frame(parameters.frame_id)),
-      every_nth_image_(camera::everyNthImageOf(parameters.color_rate)),
-      stamper_(robot_clock, parameters.time_offset) {
+                               robot_time::RobotClock* robot_clock,
+                               const std::function<void(const aibo_client::ColorDetection&)>& detect)
+    : frame_id_(parameters.frame(parameters.frame_id)), stamper_(robot_clock, parameters.time_offset) {
   channel_colors_.fill(kWhite);
   ros::NodeHandle topics(handle);
-  const ros::SubscriberStatusCallback on_change = [this](const ros::SingleSubscriberPublisher&) {
-    subscribersChanged();
-  };
+  const ros::SubscriberStatusCallback on_change =
+      [this, detect,
+       every_nth_image = camera::everyNthImageOf(parameters.color_rate)](const ros::SingleSubscriberPublisher&) {
+        const bool with_mask = mask_.getNumSubscribers() > 0;
+        detect({with_mask || regions_.getNumSubscribers() > 0, every_nth_image, with_mask});
+      };
   regions_ = topics.advertise<ColorRegions>("color_regions", kColorQueueSize, on_change, on_change);
   mask_ = topics.advertise<sensor_msgs::Image>("color_mask", kColorQueueSize, on_change, on_change);
-}
-
-void ColorPublisher::start(std::function<void(const aibo_client::ColorDetection&)> detect) {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    detect_ = std::move(detect);
-  }
-  subscribersChanged();
-}
-
-void ColorPublisher::stop() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  detect_ = nullptr;
 }
 
 void ColorPublisher::setTable(int channel, const aibo_client::ColorTablePtr& table) {
@@ -58,14 +45,6 @@ void ColorPublisher::publish(const aibo_client::DetectedColors& colors) {
       channels = channel_colors_;
     }
     mask_.publish(toMask(colors, channels, header));
-  }
-}
-
-void ColorPublisher::subscribersChanged() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (detect_) {
-    const bool with_mask = mask_.getNumSubscribers() > 0;
-    detect_({with_mask || regions_.getNumSubscribers() > 0, every_nth_image_, with_mask});
   }
 }
 

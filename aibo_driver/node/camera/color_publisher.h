@@ -20,15 +20,10 @@ class ColorPublisher {
  public:
   /// @param handle the driver's namespace
   /// @param robot_clock must outlive the publisher; if it is null, the stamp of a message is its time of arrival
-  ColorPublisher(const ros::NodeHandle& handle, const DriverParameters& parameters,
-                 robot_time::RobotClock* robot_clock);
-
-  /// Calls `detect` with what the robot should send, now and whenever a subscriber comes or goes.
-  /// @param detect must not block
-  void start(std::function<void(const aibo_client::ColorDetection&)> detect);
-
-  /// Stops the calls of `detect`. After this function returns, `detect` is not running and is not called any more.
-  void stop();
+  /// @param detect called from the handle's callback queue with what the robot should send, whenever a subscriber comes
+  ///   or goes; must not block
+  ColorPublisher(const ros::NodeHandle& handle, const DriverParameters& parameters, robot_time::RobotClock* robot_clock,
+                 const std::function<void(const aibo_client::ColorDetection&)>& detect);
 
   /// Call this when a channel has another table. The channel's pixels in color_mask then get the table's colour.
   /// @param table null if the channel has none
@@ -38,14 +33,10 @@ class ColorPublisher {
   void publish(const aibo_client::DetectedColors& colors);
 
  private:
-  void subscribersChanged();
-
   const std::string frame_id_;
-  const int every_nth_image_;
   RobotStamper stamper_;
   std::mutex mutex_;
-  std::function<void(const aibo_client::ColorDetection&)> detect_;  ///< empty unless start() was called
-  ChannelColors channel_colors_;
+  ChannelColors channel_colors_;  ///< guarded by mutex_
   ros::Publisher regions_;
   ros::Publisher mask_;
 };

@@ -64,7 +64,7 @@ std::optional<aibo_client::Resolution> resolutionIn(const TakePicture::Request& 
 
 /// Answers a caller who wants the stream on or off. Success means that the stream is as wanted, or soon will be.
 template <typename Response>
-std::string answerWish(bool wanted, const StreamPolicy& policy, const DriverParameters& parameters,
+std::string answerWish(bool wanted, const camera::StreamPolicy& policy, const DriverParameters& parameters,
                        const aibo_client::RcServerClient& client, Response* response) {
   if (!wanted) {
     return "The stream is off.";
@@ -107,17 +107,16 @@ Services takePictureServices(
 }
 
 Services streamServices(const DriverParameters& parameters, const aibo_client::RcServerClient& client,
-                        StreamPolicy& policy) {
+                        camera::StreamPolicy& policy) {
+  const auto want = [&](bool wanted, auto& call) {
+    policy.setWanted(wanted);
+    return answerWish(wanted, policy, parameters, client, &call.response);
+  };
   return {
       service<std_srvs::SetBool>("set_streaming", "The stream is as before",
-                                 [&](auto& call) {
-                                   policy.setWanted(call.request.data != 0);
-                                   return answerWish(call.request.data != 0, policy, parameters, client,
-                                                     &call.response);
-                                 }),
-      service<std_srvs::Trigger>(
-          "toggle_streaming", "The stream is as before",
-          [&](auto& call) { return answerWish(policy.toggleWanted(), policy, parameters, client, &call.response); }),
+                                 [want](auto& call) { return want(call.request.data != 0, call); }),
+      service<std_srvs::Trigger>("toggle_streaming", "The stream is as before",
+                                 [want, &policy](auto& call) { return want(!policy.wanted(), call); }),
   };
 }
 

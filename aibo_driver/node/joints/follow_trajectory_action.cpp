@@ -1,3 +1,6 @@
+#include "node/actions.h"
+
+#if __has_include(<control_msgs/FollowJointTrajectoryAction.h>)
 #include <control_msgs/FollowJointTrajectoryAction.h>
 
 #include <algorithm>
@@ -270,3 +273,16 @@ std::unique_ptr<Action> startFollowTrajectory(const ros::NodeHandle& handle, con
 }
 
 }  // namespace aibo_driver::node
+
+#else  // a system without control_msgs, such as Debian 12
+
+namespace aibo_driver::node {
+
+std::unique_ptr<Action> startFollowTrajectory(const ros::NodeHandle&, const movement::JointTable&,
+                                              const movement::MeasuredJoints&, movement::Mover&) {
+  return nullptr;
+}
+
+}  // namespace aibo_driver::node
+
+#endif

@@ -2,33 +2,50 @@
 
 #include <aibo_driver/Sound.h>
 
-#include <utility>
+#include <cstddef>
+#include <cstdint>
+
+#if __has_include(<audio_common_msgs/AudioDataStamped.h>)
+#define AIBO_DRIVER_HAS_AUDIO
+#include <audio_common_msgs/AudioDataStamped.h>
+#endif
 
 namespace aibo_driver::node {
+namespace {
+
+constexpr std::uint32_t kSoundQueueSize = 64;  // messages, which last for a second
+
+#ifdef AIBO_DRIVER_HAS_AUDIO
+audio_common_msgs::AudioDataStamped toAudio(const Sound& sound) {
+  audio_common_msgs::AudioDataStamped message;
+  message.header = sound.header;
+  const std::uint32_t silent = sound.missing <= sound.samples_per_second ? sound.missing : 0;
+  message.header.stamp -= ros::Duration(static_cast<double>(silent) / sound.samples_per_second);
+  message.audio.data.resize(2 * std::size_t{silent} * sound.channels);
+  for (const std::int16_t sample : sound.samples) {
+    message.audio.data.push_back(static_cast<std::uint8_t>(sample & 0xff));
+    message.audio.data.push_back(static_cast<std::uint8_t>((sample >> 8) & 0xff));
+  }
+  return message;
+}
+#endif
+
+}  // namespace
 
 MicrophonePublisher::MicrophonePublisher(const ros::NodeHandle& handle, const DriverParameters& parameters,
-                                         robot_time::RobotClock* robot_clock)
-    : frame_id_(parameters.frame("base_link")),
-      settings_({true, parameters.microphone_channels, aibo_client::kSoundRate, parameters.sound_priority}),
-      stamper_(robot_clock, parameters.time_offset) {
-  const ros::SubscriberStatusCallback on_change = [this](const ros::SingleSubscriberPublisher&) {
-    subscribersChanged();
-  };
-  publisher_ = ros::NodeHandle(handle).advertise<Sound>("microphone", kQueueSize, on_change, on_change);
-  audio_ = advertiseAudio(handle, on_change);
-}
-
-void MicrophonePublisher::start(std::function<void(const aibo_client::MicrophoneSettings&)> listen) {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    listen_ = std::move(listen);
-  }
-  subscribersChanged();
-}
-
-void MicrophonePublisher::stop() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  listen_ = nullptr;
+                                         robot_time::RobotClock* robot_clock,
+                                         const std::function<void(const aibo_client::MicrophoneSettings&)>& listen)
+    : frame_id_(parameters.frame("base_link")), stamper_(robot_clock, parameters.time_offset) {
+  const ros::SubscriberStatusCallback on_change =
+      [this, listen, channels = parameters.microphone_channels,
+       priority = parameters.sound_priority](const ros::SingleSubscriberPublisher&) {
+        listen({hasSubscribers(), channels, aibo_client::kSoundRate, priority});
+      };
+  ros::NodeHandle topics(handle);
+  microphone_ = topics.advertise<Sound>("microphone", kSoundQueueSize, on_change, on_change);
+#ifdef AIBO_DRIVER_HAS_AUDIO
+  audio_ = topics.advertise<audio_common_msgs::AudioDataStamped>("audio", kSoundQueueSize, on_change, on_change);
+#endif
 }
 
 void MicrophonePublisher::publish(const aibo_client::HeardSound& sound) {
@@ -40,23 +57,10 @@ void MicrophonePublisher::publish(const aibo_client::HeardSound& sound) {
   message.samples_per_second = static_cast<std::uint32_t>(sound.samples_per_second);
   message.channels = static_cast<std::uint8_t>(sound.channels);
   message.samples = sound.samples;
-  publisher_.publish(message);
-  if (audio_) {
-    audio_->publish(message);
-  }
-}
-
-bool MicrophonePublisher::hasSubscribers() const {
-  return publisher_.getNumSubscribers() > 0 || (audio_ && audio_->hasSubscribers());
-}
-
-void MicrophonePublisher::subscribersChanged() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (listen_) {
-    aibo_client::MicrophoneSettings settings = settings_;
-    settings.on = hasSubscribers();
-    listen_(settings);
-  }
+  microphone_.publish(message);
+#ifdef AIBO_DRIVER_HAS_AUDIO
+  audio_.publish(toAudio(message));
+#endif
 }
 
 }  // namespace aibo_driver::node

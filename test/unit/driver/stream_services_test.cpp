@@ -53,7 +53,9 @@ class StreamServicesTest : public ::testing::Test {
   }
 
   test_support::FakeClient client_;
-  StreamPolicy policy_{false, true};
+  bool has_subscriber_ = false;
+  camera::StreamPolicy policy_{false, true, [this] { return has_subscriber_; },
+                               [this](bool on) { client_.setStreaming(on); }};
   DriverParameters parameters_;
   Services stream_ = streamServices(parameters_, client_, policy_);
 };
@@ -126,7 +128,7 @@ TEST_F(StreamServicesTest, RefuseAPictureAtOnceWhileFourCallsWait) {
 
 TEST_F(StreamServicesTest, SwitchTheStreamAndSayWhatItWaitsFor) {
   EXPECT_THAT(setStreaming(true).message, HasSubstr("as soon as a camera topic has a subscriber"));
-  policy_.start([] { return true; }, [this](bool on) { client_.setStreaming(on); });
+  has_subscriber_ = true;
   EXPECT_EQ(setStreaming(true).message, "The stream is on.");
   const auto off = setStreaming(false);
   EXPECT_TRUE(off.success);
