@@ -1,14 +1,16 @@
 #include "node/aibo_driver.h"
 
+#include <aibo_driver/LinkQuality.h>
 #include <ros/console.h>
 #include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 #include "aibo_client/exceptions.h"
 #include "camera/camera_options.h"
-#include "node/camera/link_quality.h"
+#include "node/connection_message.h"
 #include "node/node.h"
 #include "text/plain_text.h"
 #include "text/sentence.h"
@@ -94,6 +96,24 @@ void logForClient(LogLevel level, const std::string& message) {
   }
 }
 
+/// @param asked_rate the pictures a second that the robot is asked for now
+LinkQuality linkQuality(const camera::LinkMeter::Reading& reading, double asked_rate,
+                        const aibo_client::ConnectionStatus& status) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  LinkQuality quality;
+  quality.header.stamp = ros::Time::now();
+  quality.pictures_per_second = static_cast<float>(reading.picturesPerSecond());
+  quality.pictures_per_second_asked = static_cast<float>(asked_rate);
+  quality.kilobytes_per_second = static_cast<float>(reading.kilobytesPerSecond());
+  quality.age = static_cast<float>(reading.mean_age.value_or(kUnknown));
+  quality.longest_age = static_cast<float>(reading.worst_age.value_or(kUnknown));
+  quality.lost = static_cast<float>(reading.loss.value_or(kUnknown));
+  if (status.state == aibo_client::ConnectionState::kConnected) {
+    quality.transport = camera::nameOf(status.transport);
+  }
+  return quality;
+}
+
 // A handle with one handle's names, and with callbacks on the other's queue.
 ros::NodeHandle onQueueOf(const ros::NodeHandle& queue, ros::NodeHandle names) {
   names.setCallbackQueue(queue.getCallbackQueue());
@@ -122,9 +142,10 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
           parameters_.stream_on_start, parameters_.stream_on_demand,
           [this] { return camera_.hasSubscribers() || raw_images_.hasSubscribers(); },
           [this](bool on) { client_.setStreaming(on); }),
-      connection_(handle_, private_handle.getNamespace(), parameters_.client),
+      settings_namespace_(private_handle.getNamespace()),
+      connection_(handle_, "connection"),
+      streaming_(handle_, "streaming"),
       camera_(ros::NodeHandle(handle_, "camera"), parameters_, usedRobotClock(), [this] { policy_.decide(); }),
-      camera_state_(ros::NodeHandle(handle_, "camera")),
       raw_images_(ros::NodeHandle(handle_, "camera"), "image_raw", [this] { policy_.decide(); }),
       colors_(handle_, parameters_, usedRobotClock(),
               [this](const aibo_client::ColorDetection& detection) { client_.setColorDetection(detection); }),
@@ -132,7 +153,8 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
                   [this](const aibo_client::MicrophoneSettings& settings) { client_.setMicrophone(settings); }),
       telemetry_(handle_, parameters_, model_, joint_table_, measured_joints_, telemetry_stamper_),
       odometry_(handle_, parameters_, telemetry_stamper_),
-      led_states_(handle_, model_),
+      leds_(model_),
+      led_states_(handle_, "led_states"),
       client_(parameters_.client, makeCallbacks()),
       player_(client_),
       adapter_(client_),
@@ -155,6 +177,9 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       report_timer_(handle_.createSteadyTimer(ros::WallDuration(kReportPeriod),
                                               [this](const ros::SteadyTimerEvent&) { report(); })) {
   raiseDescriptorLimit();
+  connection_.publish(toMessage(aibo_client::ConnectionStatus(), parameters_.client, settings_namespace_));
+  publishStreaming(false);
+  led_states_.publish(leds_.states());
   if (parameters_.publish_footprint && parameters_.robot == "ERS-7") {
     footprint_.emplace(handle_, parameters_, model_, joint_table_, measured_joints_, telemetry_stamper_);
   }
@@ -223,12 +248,15 @@ aibo_client::Callbacks AiboDriver::makeCallbacks() {
   aibo_client::Callbacks callbacks;
   callbacks.on_picture = [this](const aibo_client::PicturePtr& picture) { publishPicture(*picture); };
   callbacks.on_status = [this](const aibo_client::ConnectionStatus& status) { updateConnection(status); };
-  callbacks.on_streaming = [this](bool streaming) { connection_.publishStreaming(streaming); };
+  callbacks.on_streaming = [this](bool streaming) { publishStreaming(streaming); };
   callbacks.on_telemetry = [this](const aibo_client::Telemetry& telemetry) { publishTelemetry(telemetry); };
   callbacks.on_colors = [this](const aibo_client::DetectedColors& colors) { colors_.publish(colors); };
   callbacks.on_heard = [this](const aibo_client::HeardSound& sound) { microphone_.publish(sound); };
   callbacks.on_sound_ended = [this](const aibo_client::SoundEnd& end) { player_.ended(end); };
-  callbacks.on_leds_accepted = [this](const std::vector<aibo_client::LedCommand>& leds) { led_states_.accept(leds); };
+  callbacks.on_leds_accepted = [this](const std::vector<aibo_client::LedCommand>& leds) {
+    leds_.accept(leds);
+    led_states_.publish(leds_.states());
+  };
   callbacks.on_steered = [this](const aibo_client::WalkVelocity& in_force, std::uint64_t order, std::uint64_t walk) {
     mover_.steered(in_force, order, walk);
   };
@@ -325,7 +353,6 @@ std::optional<int> AiboDriver::askedEveryNthImage() const {
 
 void AiboDriver::publishPicture(const aibo_client::Picture& picture) {
   const auto [stamp, taken] = camera_.momentOf(picture);
-  camera_state_.update(picture, stamp, camera_.frameId());
   const bool is_decoded = raw_images_.hasSubscribers();
   const sensor_msgs::CompressedImageConstPtr message = camera_.publish(picture, stamp, is_decoded);
   if (is_decoded) {
@@ -341,12 +368,7 @@ void AiboDriver::report() {
   const double asked_rate = every_nth ? camera::frameRateOf(*every_nth) : 0;
   const camera::LinkMeter::Reading reading = meter_.read(std::chrono::steady_clock::now(), asked_rate);
   if (link_quality_.getNumSubscribers() > 0) {
-    LinkQuality quality = toMessage(reading, asked_rate);
-    quality.header.stamp = ros::Time::now();
-    const aibo_client::ConnectionStatus status = client_.status();
-    quality.transport =
-        status.state == aibo_client::ConnectionState::kConnected ? camera::nameOf(status.transport) : "";
-    link_quality_.publish(quality);
+    link_quality_.publish(linkQuality(reading, asked_rate, client_.status()));
   }
   diagnostics_.publish(reading, asked_rate);
 }
@@ -363,13 +385,21 @@ void AiboDriver::publishTelemetry(const aibo_client::Telemetry& telemetry) {
   power_.update(telemetry);
 }
 
+void AiboDriver::publishStreaming(bool streaming) {
+  std_msgs::Bool message;
+  message.data = static_cast<std::uint8_t>(streaming);
+  streaming_.publish(message);
+}
+
 void AiboDriver::updateConnection(const aibo_client::ConnectionStatus& status) {
   if (status.state == aibo_client::ConnectionState::kConnected) {
     // The mover is told first, because others may give orders as soon as they know of the connection.
     mover_.connected();
   }
-  connection_.publish(status);
-  led_states_.update(status);
+  connection_.publish(toMessage(status, parameters_.client, settings_namespace_));
+  if (leds_.update(status)) {
+    led_states_.publish(leds_.states());
+  }
   if (status.state != aibo_client::ConnectionState::kConnected) {
     measured_joints_.clear();
     mover_.disconnected();

@@ -2,9 +2,12 @@
 #ifndef AIBO_DRIVER_NODE_AIBO_DRIVER_H
 #define AIBO_DRIVER_NODE_AIBO_DRIVER_H
 
+#include <aibo_driver/Connection.h>
+#include <aibo_driver/LedStates.h>
 #include <ros/console.h>
 #include <ros/node_handle.h>
 #include <ros/steady_timer.h>
+#include <std_msgs/Bool.h>
 
 #include <array>
 #include <memory>
@@ -20,18 +23,16 @@
 #include "movement/mover.h"
 #include "node/actions.h"
 #include "node/body/footprint_publisher.h"
-#include "node/body/led_state_publisher.h"
+#include "node/body/led_memory.h"
 #include "node/body/leds_and_ears.h"
 #include "node/body/power_status.h"
 #include "node/body/telemetry_publishers.h"
 #include "node/callback_threads.h"
 #include "node/camera/camera_publisher.h"
-#include "node/camera/camera_state_publisher.h"
 #include "node/camera/color_publisher.h"
 #include "node/camera/color_table_service.h"
 #include "node/camera/raw_image_publisher.h"
 #include "node/camera/stream_adapter.h"
-#include "node/connection_publisher.h"
 #include "node/driver_diagnostics.h"
 #include "node/driver_parameters.h"
 #include "node/joints/joint_commander.h"
@@ -41,6 +42,7 @@
 #include "node/robot_stamper.h"
 #include "node/services.h"
 #include "node/sound/microphone_publisher.h"
+#include "node/state_publisher.h"
 #include "node/stop_memory.h"
 #include "node/walk/goal_topic.h"
 #include "node/walk/goal_walks.h"
@@ -85,6 +87,7 @@ class AiboDriver {
   std::optional<int> askedEveryNthImage() const;
 
   void publishTelemetry(const aibo_client::Telemetry& telemetry);
+  void publishStreaming(bool streaming);
   void updateConnection(const aibo_client::ConnectionStatus& status);
   void advertiseServices();
   void advertise(ros::NodeHandle handle, Services services);
@@ -128,16 +131,18 @@ class AiboDriver {
   text::ThrottledWarnings design_warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
   camera::LinkMeter meter_;
   camera::StreamPolicy policy_;
-  ConnectionPublisher connection_;
+  const std::string settings_namespace_;
+  StatePublisher<Connection> connection_;
+  StatePublisher<std_msgs::Bool> streaming_;
   CameraPublisher camera_;
-  CameraStatePublisher camera_state_;
   RawImagePublisher raw_images_;
   ColorPublisher colors_;
   MicrophonePublisher microphone_;
   TelemetryPublishers telemetry_;
   std::optional<FootprintPublisher> footprint_;  ///< only for an ERS-7, and only if publish_footprint is set
   OdometryPublisher odometry_;
-  LedStatePublisher led_states_;
+  LedMemory leds_;
+  StatePublisher<LedStates> led_states_;
   ros::SteadyTimer get_up_timer_;      ///< runs out on pool_ when the robot is to get up
   std::optional<walk::GetUp> get_up_;  ///< only if the parameter get_up is set
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "camera/camera_options.h"
-#include "node/connection_publisher.h"
+#include "node/connection_message.h"
 #include "text/number.h"
 
 namespace aibo_driver::node {

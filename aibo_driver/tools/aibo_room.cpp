@@ -15,7 +15,7 @@
 #include <variant>
 
 #include "node/node.h"
-#include "node/publish_latched.h"
+#include "node/state_publisher.h"
 #include "robot_model/robot_model.h"
 #include "simulator/ers7/scene/light.h"
 #include "simulator/ers7/scene/scene.h"

@@ -5,6 +5,8 @@
 
 #include <cstdint>
 
+#include "node/state_publisher.h"
+
 namespace aibo_driver::node {
 namespace {
 
@@ -12,6 +14,22 @@ namespace {
 constexpr std::uint32_t kPictureQueueSize = 5;
 
 }  // namespace
+
+CameraState cameraStateOf(const Picture& picture) {
+  CameraState state;
+  state.frame_number = picture.frame_number.value_or(0);
+  state.image_count = picture.image_count.value_or(0);
+  state.width = static_cast<std::uint16_t>(picture.width);
+  state.height = static_cast<std::uint16_t>(picture.height);
+  if (picture.settings) {
+    state.white_balance = static_cast<std::uint8_t>(picture.settings->white_balance);
+    state.gain = static_cast<std::uint8_t>(picture.settings->gain);
+    state.shutter_speed = static_cast<std::uint8_t>(picture.settings->shutter_speed);
+    state.auto_exposure = static_cast<std::uint8_t>(picture.settings->auto_exposure);
+    state.auto_white_balance = static_cast<std::uint8_t>(picture.settings->auto_white_balance);
+  }
+  return state;
+}
 
 CameraPublisher::CameraPublisher(const ros::NodeHandle& camera_handle, const DriverParameters& parameters,
                                  robot_time::RobotClock* robot_clock, const std::function<void()>& subscribers_changed)
@@ -28,12 +46,15 @@ CameraPublisher::CameraPublisher(const ros::NodeHandle& camera_handle, const Dri
                                                                          on_change, on_change);
   camera_info_publisher_ = handle.advertise<sensor_msgs::CameraInfo>(image_transport::getCameraInfoTopic(image_topic),
                                                                      kPictureQueueSize, on_change, on_change);
+  constexpr bool kLatched = true;
+  state_publisher_ = handle.advertise<CameraState>("state", 10, kLatched);
 }
 
 // A message wakes roscpp's thread, which takes a lock. The question whether there are subscribers needs the same lock,
 // so it is asked before the message is published.
 sensor_msgs::CompressedImageConstPtr CameraPublisher::publish(const Picture& picture, const ros::Time& stamp,
                                                               bool is_wanted) {
+  publishState(picture, stamp);
   calibration_.pictureCame(static_cast<std::uint32_t>(picture.width), static_cast<std::uint32_t>(picture.height));
   const bool has_listeners = compressed_publisher_.getNumSubscribers() > 0;
   if (camera_info_publisher_.getNumSubscribers() > 0) {
@@ -68,6 +89,17 @@ void CameraPublisher::publishCameraInfo(const Picture& picture, const ros::Time&
   message->header.stamp = stamp;
   message->header.frame_id = frame_id_;
   camera_info_publisher_.publish(sensor_msgs::CameraInfoConstPtr(message));
+}
+
+void CameraPublisher::publishState(const Picture& picture, const ros::Time& stamp) {
+  const std::tuple state(picture.connection_number, picture.width, picture.height, picture.settings);
+  if (state != last_) {
+    last_ = state;
+    CameraState message = cameraStateOf(picture);
+    message.header.stamp = stamp;
+    message.header.frame_id = frame_id_;
+    publishLatched(state_publisher_, message);
+  }
 }
 
 }  // namespace aibo_driver::node

@@ -2,11 +2,15 @@
 #ifndef AIBO_DRIVER_NODE_CAMERA_CAMERA_PUBLISHER_H
 #define AIBO_DRIVER_NODE_CAMERA_CAMERA_PUBLISHER_H
 
+#include <aibo_driver/CameraState.h>
 #include <ros/node_handle.h>
 #include <sensor_msgs/CompressedImage.h>
 
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
+#include <tuple>
 
 #include "aibo_client/camera.h"
 #include "node/camera/calibration.h"
@@ -17,8 +21,12 @@ namespace aibo_driver::node {
 
 using aibo_client::Picture;
 
+/// The state of the camera when it took a picture. It has no header.
+CameraState cameraStateOf(const Picture& picture);
+
 /// Publishes each picture as the robot sent it (image_raw/compressed), and a camera_info of its size with the same
-/// header: see Calibration.
+/// header: see Calibration. If the camera's state has changed, or the picture is the first one of a connection, it also
+/// publishes the state, latched (state).
 class CameraPublisher {
  public:
   /// The format of all pictures. It makes image_transport's decoders output the same encoding as our image_raw. A plain
@@ -45,19 +53,21 @@ class CameraPublisher {
   /// pictures show the robot's clock. Any thread may call it.
   RobotStamper::Moment momentOf(const Picture& picture) { return stamper_.momentOf(picture); }
 
-  const std::string& frameId() const { return frame_id_; }
-
   bool hasSubscribers() const;
 
  private:
   sensor_msgs::CompressedImage toMessage(const Picture& picture, const ros::Time& stamp) const;
   void publishCameraInfo(const Picture& picture, const ros::Time& stamp);
+  void publishState(const Picture& picture, const ros::Time& stamp);
 
   const std::string frame_id_;
   RobotStamper stamper_;
   Calibration calibration_;
   ros::Publisher compressed_publisher_;
   ros::Publisher camera_info_publisher_;
+  ros::Publisher state_publisher_;
+  /// The connection of the last picture, and the camera's state then.
+  std::tuple<std::uint64_t, int, int, std::optional<aibo_client::CameraSettings>> last_;
 };
 
 }  // namespace aibo_driver::node

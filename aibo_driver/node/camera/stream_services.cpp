@@ -11,7 +11,7 @@
 #include "aibo_client/exceptions.h"
 #include "camera/camera_options.h"
 #include "files/files.h"
-#include "node/connection_publisher.h"
+#include "node/connection_message.h"
 #include "node/service.h"
 #include "node/services.h"
 #include "text/plain_text.h"

@@ -7,8 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "node/publish_latched.h"
-
 namespace aibo_driver::node {
 namespace {
 
@@ -111,14 +109,11 @@ RobotState toMessage(const movement::Mover::State& state) {
 
 MotionStatePublisher::MotionStatePublisher(const ros::NodeHandle& handle, const movement::Mover& mover,
                                            StopMemory& stop_memory)
-    : mover_(mover), stop_memory_(stop_memory) {
+    : mover_(mover), stop_memory_(stop_memory), robot_(handle, "robot_state") {
   constexpr bool kLatched = true;
-  ros::NodeHandle topics(handle);
-  publisher_ = topics.advertise<MotionState>("motion_state", 10, kLatched);
-  robot_publisher_ = topics.advertise<RobotState>("robot_state", 10, kLatched);
-  last_robot_.header.stamp = ros::Time::now();
-  publisher_.publish(toMessage(mover_.state(), std::chrono::steady_clock::now(), last_robot_.header.stamp));
-  robot_publisher_.publish(last_robot_);
+  publisher_ = ros::NodeHandle(handle).advertise<MotionState>("motion_state", 10, kLatched);
+  publisher_.publish(toMessage(mover_.state(), std::chrono::steady_clock::now(), ros::Time::now()));
+  robot_.publish(RobotState());
 }
 
 void MotionStatePublisher::publish() {
@@ -134,13 +129,7 @@ void MotionStatePublisher::publish() {
     }
   }
   stop_memory_.remember(state.stopped_by);
-  RobotState robot = toMessage(state);
-  robot.header = last_robot_.header;
-  if (robot != last_robot_) {
-    robot.header.stamp = now;
-    last_robot_ = robot;
-    publishLatched(robot_publisher_, robot);
-  }
+  robot_.publish(toMessage(state));
 }
 
 }  // namespace aibo_driver::node

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "movement/mover.h"
+#include "node/state_publisher.h"
 #include "node/stop_memory.h"
 
 namespace aibo_driver::node {
@@ -50,9 +51,8 @@ class MotionStatePublisher {
   std::mutex mutex_;
   std::vector<movement::Movement> movements_;  ///< as last published
   std::size_t ends_ = 0;                       ///< how many movements had ended at the last publication
-  RobotState last_robot_;
   ros::Publisher publisher_;
-  ros::Publisher robot_publisher_;
+  StatePublisher<RobotState> robot_;
 };
 
 }  // namespace aibo_driver::node

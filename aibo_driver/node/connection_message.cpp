@@ -1,12 +1,9 @@
-#include "node/connection_publisher.h"
-
-#include <std_msgs/Bool.h>
+#include "node/connection_message.h"
 
 #include <cstddef>
 #include <cstdint>
 
 #include "camera/camera_options.h"
-#include "node/publish_latched.h"
 #include "text/plain_text.h"
 
 namespace aibo_driver::node {
@@ -59,23 +56,12 @@ std::string describeConnection(const ConnectionStatus& status, const ClientOptio
   return text;
 }
 
-ConnectionPublisher::ConnectionPublisher(const ros::NodeHandle& handle, const std::string& settings,
-                                         const ClientOptions& options)
-    : settings_(settings), options_(options) {
-  ros::NodeHandle topics(handle);
-  constexpr bool kLatched = true;
-  connection_ = topics.advertise<Connection>("connection", 1, kLatched);
-  streaming_ = topics.advertise<std_msgs::Bool>("streaming", 1, kLatched);
-  publish(ConnectionStatus());
-  publishStreaming(false);
-}
-
-void ConnectionPublisher::publish(const ConnectionStatus& status) {
+Connection toMessage(const ConnectionStatus& status, const ClientOptions& options, const std::string& settings) {
   Connection message;
   message.state = stateConstant(status.state);
-  message.text = describeConnection(status, options_);
-  message.host = options_.host;
-  message.port = static_cast<std::uint16_t>(options_.port);
+  message.text = describeConnection(status, options);
+  message.host = options.host;
+  message.port = static_cast<std::uint16_t>(options.port);
   message.robot = status.robot.design;
   message.protocol_version = static_cast<std::uint8_t>(status.protocol_version);
   if (status.state == ConnectionState::kConnected) {
@@ -84,20 +70,8 @@ void ConnectionPublisher::publish(const ConnectionStatus& status) {
   }
   message.reason = text::plainLine(status.reason, kLongestReason);
   message.advice = status.advice;
-  message.settings = settings_;
-  if (last_ && *last_ == message) {
-    // What has changed is not in the message, so nothing is published. A robot could change it endlessly.
-    return;
-  }
-  last_ = message;
-  message.header.stamp = ros::Time::now();
-  publishLatched(connection_, message);
-}
-
-void ConnectionPublisher::publishStreaming(bool streaming) {
-  std_msgs::Bool message;
-  message.data = streaming;
-  publishLatched(streaming_, message);
+  message.settings = settings;
+  return message;
 }
 
 }  // namespace aibo_driver::node

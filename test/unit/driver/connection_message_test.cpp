@@ -1,4 +1,4 @@
-#include "node/connection_publisher.h"
+#include "node/connection_message.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "node/body/led_state_publisher.h"
+#include "node/body/led_memory.h"
 
 #include <gmock/gmock.h>
 
@@ -36,7 +36,7 @@ TEST_F(LedMemoryTest, KnowsNothingWithoutAConnection) {
 TEST_F(LedMemoryTest, KnowsThatARobotThatWasConnectedHasSwitchedThemOff) {
   EXPECT_TRUE(connect(2));
   EXPECT_THAT(memory_.states().intensities, testing::Each(0));
-  EXPECT_TRUE(memory_.accept({{7, 255, LedMode::kB}}));
+  memory_.accept({{7, 255, LedMode::kB}});
   EXPECT_FALSE(connect(2)) << "the status changes for many reasons";
   EXPECT_EQ(intensity(7), 1);
   EXPECT_TRUE(disconnect());
@@ -47,25 +47,24 @@ TEST_F(LedMemoryTest, KnowsThatARobotThatWasConnectedHasSwitchedThemOff) {
 }
 
 TEST_F(LedMemoryTest, KnowsOfAVersion1ServerOnlyWhatItAccepted) {
-  EXPECT_FALSE(connect(1));
-  EXPECT_TRUE(memory_.accept({{7, 51}}));
+  connect(1);
+  memory_.accept({{7, 51}});
   EXPECT_FLOAT_EQ(intensity(7), 0.2F);
   EXPECT_TRUE(std::isnan(intensity(8)));
 }
 
-TEST_F(LedMemoryTest, SaysWhetherAnythingHasChanged) {
+TEST_F(LedMemoryTest, KnowsTheLatestStateOfEach) {
   connect(2);
-  EXPECT_TRUE(memory_.accept({{7, 51}, {8, 255, LedMode::kB}}));
+  memory_.accept({{7, 51}, {8, 255, LedMode::kB}, {99, 255}});
   EXPECT_EQ(mode(7), LedStates::MODE_A);
   EXPECT_EQ(mode(8), LedStates::MODE_B);
-  EXPECT_FALSE(memory_.accept({{7, 51}}));
-  EXPECT_TRUE(memory_.accept({{7, 51, LedMode::kB}}));
-  EXPECT_FALSE(memory_.accept({{99, 255}})) << "there is no such LED";
+  memory_.accept({{7, 51, LedMode::kB}});
+  EXPECT_EQ(mode(7), LedStates::MODE_B);
 }
 
 TEST_F(LedMemoryTest, KnowsWhichAreOnlyOnOrOff) {
   connect(2);
-  EXPECT_TRUE(memory_.accept({{6, 1, LedMode::kB}}));
+  memory_.accept({{6, 1, LedMode::kB}});
   EXPECT_EQ(intensity(6), 1);
   EXPECT_EQ(mode(6), LedStates::MODE_A);
 }

@@ -1,9 +1,8 @@
-/// @file led_state_publisher.h
-#ifndef AIBO_DRIVER_NODE_BODY_LED_STATE_PUBLISHER_H
-#define AIBO_DRIVER_NODE_BODY_LED_STATE_PUBLISHER_H
+/// @file led_memory.h
+#ifndef AIBO_DRIVER_NODE_BODY_LED_MEMORY_H
+#define AIBO_DRIVER_NODE_BODY_LED_MEMORY_H
 
 #include <aibo_driver/LedStates.h>
-#include <ros/node_handle.h>
 
 #include <vector>
 
@@ -23,42 +22,23 @@ class LedMemory {
   /// All LEDs are unknown at first.
   explicit LedMemory(const robot_model::RobotModel& model);
 
-  /// @return true if the states have changed; accept() returns the same
+  /// @return true if the robot was connected or lost, so that the states may have changed
   bool update(const aibo_client::ConnectionStatus& status);
 
   /// Notes LEDs that the robot has accepted. LEDs that this robot does not have are ignored.
-  bool accept(const std::vector<aibo_client::LedCommand>& leds);
+  void accept(const std::vector<aibo_client::LedCommand>& leds);
 
   /// The message has no stamp.
   const LedStates& states() const { return states_; }
 
  private:
-  bool setAll(float intensity);
-  bool set(std::size_t led, float intensity, aibo_client::LedMode mode);
+  void setAll(float intensity);
 
   const robot_model::RobotModel& model_;
   bool is_connected_ = false;
   LedStates states_;
 };
 
-/// Publishes the latched topic `led_states`.
-class LedStatePublisher {
- public:
-  /// Publishes at once that no LED is known yet.
-  /// @param model must outlive the publisher
-  LedStatePublisher(const ros::NodeHandle& handle, const robot_model::RobotModel& model);
-
-  /// These functions publish only changes. They never block. Only one thread at a time may call them.
-  void update(const aibo_client::ConnectionStatus& status);
-  void accept(const std::vector<aibo_client::LedCommand>& leds);
-
- private:
-  void publish();
-
-  LedMemory memory_;
-  ros::Publisher publisher_;
-};
-
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_NODE_BODY_LED_STATE_PUBLISHER_H
+#endif  // AIBO_DRIVER_NODE_BODY_LED_MEMORY_H
