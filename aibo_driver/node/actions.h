@@ -44,7 +44,7 @@ std::unique_ptr<Action> startFollowTrajectory(const ros::NodeHandle& handle, con
 
 /// Starts go_to. A goal ends with its walk, and cancelling it stops the walk.
 /// @param handle its queue also calls all other functions of `walks`
-std::unique_ptr<Action> startGoTo(const ros::NodeHandle& handle, GoalWalks& walks);
+std::unique_ptr<Action> startGoTo(const ros::NodeHandle& handle, GoalWalks& walks, movement::Mover& mover);
 
 /// Starts take_posture. A goal ends when the robot has taken the posture. After a cancel, the legs hold.
 std::unique_ptr<Action> startTakePosture(const ros::NodeHandle& handle, movement::Mover& mover);

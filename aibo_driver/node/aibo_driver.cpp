@@ -169,7 +169,6 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       joints_(joint_table_, mover_),
       walk_(parameters_.walk, client_, mover_),
       goal_walks_(parameters_, client_, mover_, [this] { return odometry_.here(); }),
-      goal_(goal_walks_),
       leds_and_ears_(model_, client_, mover_),
       diagnostics_(handle_, private_handle, name,
                    {parameters_, client_, policy_, adapter_, raw_images_, settings_, robot_clock_, power_, mover_,
@@ -189,7 +188,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
   warnOfMissingModel(parameters_.robot);
   joints_.subscribe(order_thread_.handle());
   walk_.subscribe(order_thread_.handle());
-  goal_.subscribe(order_thread_.handle());
+  goal_walks_.subscribe(order_thread_.handle());
   leds_and_ears_.subscribe(order_thread_.handle());
   color_tables_.loadAtStart(parameters_.color_tables);
   advertiseServices();
@@ -240,7 +239,7 @@ void AiboDriver::startActions() {
   actions_.push_back(startPlayMotion(motion_thread_.handle(), mover_));
   actions_.push_back(startFollowTrajectory(order_thread_.handle(), joint_table_, measured_joints_, mover_));
   actions_.push_back(startPlaySound(sound_thread_.handle(), player_));
-  actions_.push_back(startGoTo(order_thread_.handle(), goal_walks_));
+  actions_.push_back(startGoTo(order_thread_.handle(), goal_walks_, mover_));
   actions_.push_back(startTakePosture(motion_thread_.handle(), mover_));
 }
 

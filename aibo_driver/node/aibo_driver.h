@@ -44,7 +44,6 @@
 #include "node/sound/microphone_publisher.h"
 #include "node/state_publisher.h"
 #include "node/stop_memory.h"
-#include "node/walk/goal_topic.h"
 #include "node/walk/goal_walks.h"
 #include "node/walk/odometry_publisher.h"
 #include "node/walk/walk_commander.h"
@@ -161,7 +160,6 @@ class AiboDriver {
   JointCommander joints_;
   WalkCommander walk_;
   GoalWalks goal_walks_;
-  GoalTopic goal_;
   LedsAndEars leds_and_ears_;
   std::vector<ros::ServiceServer> services_;
   std::vector<std::unique_ptr<Action>> actions_;

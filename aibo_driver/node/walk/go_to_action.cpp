@@ -1,28 +1,29 @@
 #include <aibo_driver/GoToAction.h>
 
-#include <memory>
-
 #include "node/goal_server.h"
 #include "node/walk/goal_walks.h"
 
 namespace aibo_driver::node {
 
-std::unique_ptr<Action> startGoTo(const ros::NodeHandle& handle, GoalWalks& walks) {
+std::unique_ptr<Action> startGoTo(const ros::NodeHandle& handle, GoalWalks& walks, movement::Mover& mover) {
   ActionKind<GoToAction> kind;
   kind.name = "go_to";
   kind.logger = "joints";
   kind.period = GoalWalks::kPeriod;
-  kind.begin = [&walks](const GoToGoal& goal, const movement::Order& order) -> Activity<GoToAction> {
-    const auto walk = std::make_shared<GoalWalks::Walk>(walks.begin(goal.pose, order));
-    throwIfRefused(walk->begun());
-    const auto stop = [walk](const movement::Order& by) { walk->stop(by.source + " cancelled the goal"); };
-    const auto look = [walk](const Activity<GoToAction>::Publish& publish) -> std::optional<GoalEnd<GoToAction>> {
-      if (const movement::EndedMovement* const ended = walk->advance()) {
+  kind.begin = [&](const GoToGoal& goal, const movement::Order& order) -> Activity<GoToAction> {
+    const movement::Mover::Answer begun = walks.begin(goal.pose, order);
+    throwIfRefused(begun);
+    const auto stop = [&mover, begun](const movement::Order& by) {
+      mover.cancel(begun.id, by.source + " cancelled the goal");
+    };
+    const auto look = [&walks,
+                       begun](const Activity<GoToAction>::Publish& publish) -> std::optional<GoalEnd<GoToAction>> {
+      if (const movement::EndedMovement* const ended = begun.ended()) {
         return goalEnd<GoToAction>(*ended, "The robot is there");
       }
       GoToFeedback feedback;
-      feedback.distance = walk->distanceLeft();
-      feedback.turn = walk->turnLeft();
+      feedback.distance = walks.distanceLeft();
+      feedback.turn = walks.turnLeft();
       publish(feedback);
       return std::nullopt;
     };

@@ -3,11 +3,14 @@
 #include <ros/time.h>
 
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <string>
 #include <utility>
 
 #include "aibo_client/exceptions.h"
+#include "node/orders.h"
 #include "text/plain_text.h"
 
 namespace aibo_driver::node {
@@ -61,13 +64,32 @@ GoalWalks::GoalWalks(const DriverParameters& parameters, const aibo_client::RcSe
       odometer_(std::move(odometer)),
       clock_(std::move(clock)) {}
 
-GoalWalks::Walk GoalWalks::begin(const geometry_msgs::PoseStamped& goal, const movement::Order& order) {
+void GoalWalks::subscribe(const ros::NodeHandle& handle) {
+  ros::NodeHandle topics(handle);
+  constexpr bool kOneShot = false;
+  constexpr bool kAutostart = false;
+  timer_ = topics.createSteadyTimer(
+      ros::WallDuration(std::chrono::duration<double>(kPeriod).count()),
+      [this](const ros::SteadyTimerEvent&) { advance(); }, kOneShot, kAutostart);
+  using Goal = geometry_msgs::PoseStamped;
+  const boost::function<void(const ros::MessageEvent<Goal const>&)> receive =
+      [this](const ros::MessageEvent<Goal const>& event) { begin(*event.getMessage(), orderOf(event)); };
+  constexpr std::uint32_t kNewest = 1;
+  subscriber_ = topics.subscribe<Goal>("goal", kNewest, receive);
+}
+
+movement::Mover::Answer GoalWalks::begin(const geometry_msgs::PoseStamped& goal, const movement::Order& order) {
   try {
     const walk::PlanePose pose = goalIn(goal);
     const std::string name = format("to x %.2f m, y %.2f m, yaw %.2f rad", pose.x, pose.y, pose.yaw);
-    return {*this, mover_.walkToGoal(order, name), pose};
+    const movement::Mover::Answer begun = mover_.walkToGoal(order, name);
+    if (begun.ended() == nullptr) {
+      walk_ = Walk{begun, walk::GoalController(pose), std::numeric_limits<double>::infinity(), clock_()};
+      timer_.start();
+    }
+    return begun;
   } catch (const InvalidArgumentException& error) {
-    return {*this, mover_.refuse(order, movement::Movement::Kind::kWalk, {}, error.what()), {}};
+    return mover_.refuse(order, movement::Movement::Kind::kWalk, {}, error.what());
   }
 }
 
@@ -98,43 +120,48 @@ walk::PlanePose GoalWalks::goalIn(const geometry_msgs::PoseStamped& goal) const 
   return pose;
 }
 
-const movement::EndedMovement* GoalWalks::Walk::advance() {
-  if (begun_.ended() != nullptr || is_stopping_) {
-    return begun_.ended();
+void GoalWalks::advance() {
+  if (walk_ && walk_->begun.ended() == nullptr) {
+    const std::string problem = steer();
+    if (!problem.empty()) {
+      mover_.cancel(walk_->begun.id, problem);
+      walk_.reset();
+    }
+  } else {
+    walk_.reset();
   }
-  const std::optional<walk::PlanePose> here = walks_->odometer_();
-  if (!here) {
-    is_stopping_ = true;
-    stop("the robot has not said where it is for 0.5 s");
-    return begun_.ended();
+  if (!walk_) {
+    timer_.stop();
   }
-  distance_left_ = controller_.distanceFrom(*here);
-  turn_left_ = controller_.turnFrom(*here);
-  if (comesNoCloser()) {
-    is_stopping_ = true;
-    stop(format("it has come no closer to the goal for %.0f s", std::chrono::duration<double>(kPatience).count()));
-    return begun_.ended();
-  }
-  const aibo_client::WalkVelocity wanted = controller_.velocityAt(*here);
-  const aibo_client::WalkLimits limits = walks_->client_.status().robot.walk_limits;
-  const aibo_client::WalkVelocity allowed = walk::velocityToSend(wanted, walks_->parameters_.walk, limits);
-  is_stopping_ = allowed.isZero();
-  if (is_stopping_ && !wanted.isZero()) {
-    stop("it would have to walk or turn in a way for which the limit is 0");
-    return begun_.ended();
-  }
-  walks_->mover_.steerToGoal(begun_.id, allowed);
-  return begun_.ended();
 }
 
-bool GoalWalks::Walk::comesNoCloser() {
-  const double left = distance_left_ + kMetresForRadian * std::abs(turn_left_);
-  const movement::SteadyTime now = walks_->clock_();
-  if (!closer_at_ || left < least_left_ - kCloser) {
-    closer_at_ = now;
-    least_left_ = left;
+// @return why the walk cannot go on; empty if it goes on, or ends because the robot is there
+std::string GoalWalks::steer() {
+  const std::optional<walk::PlanePose> here = odometer_();
+  if (!here) {
+    return "the robot has not said where it is for 0.5 s";
   }
-  return now - *closer_at_ > kPatience;
+  distance_left_ = walk_->controller.distanceFrom(*here);
+  turn_left_ = walk_->controller.turnFrom(*here);
+  const double left = distance_left_ + kMetresForRadian * std::abs(turn_left_);
+  if (left < walk_->least_left - kCloser) {
+    walk_->closer_at = clock_();
+    walk_->least_left = left;
+  }
+  if (clock_() - walk_->closer_at > kPatience) {
+    return format("it has come no closer to the goal for %.0f s", std::chrono::duration<double>(kPatience).count());
+  }
+  const aibo_client::WalkVelocity wanted = walk_->controller.velocityAt(*here);
+  const aibo_client::WalkLimits limits = client_.status().robot.walk_limits;
+  const aibo_client::WalkVelocity allowed = walk::velocityToSend(wanted, parameters_.walk, limits);
+  if (allowed.isZero() && !wanted.isZero()) {
+    return "it would have to walk or turn in a way for which the limit is 0";
+  }
+  mover_.steerToGoal(walk_->begun.id, allowed);
+  if (allowed.isZero()) {
+    walk_.reset();
+  }
+  return "";
 }
 
 }  // namespace aibo_driver::node

@@ -3,10 +3,13 @@
 #define AIBO_DRIVER_NODE_WALK_GOAL_WALKS_H
 
 #include <geometry_msgs/PoseStamped.h>
+#include <ros/node_handle.h>
+#include <ros/steady_timer.h>
 
 #include <chrono>
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "aibo_client/rcserver_client.h"
 #include "movement/mover.h"
@@ -15,12 +18,13 @@
 
 namespace aibo_driver::node {
 
-/// Walks to goals, by odometry. Everything else that happens to the robot ends a walk, and nothing resumes it.
+/// Walks to goals, by odometry: those of the topic goal and of the action go_to. A newer goal ends the walk to an older
+/// one. Everything else that happens to the robot ends a walk, too, and nothing resumes it.
 ///
 /// Only one thread at a time may use an object of this class.
 class GoalWalks {
  public:
-  /// The time between two calls of Walk::advance().
+  /// The time between two calls of advance().
   static constexpr std::chrono::milliseconds kPeriod{100};
 
   /// The farthest goal that is not refused. On a longer way, odometry would lose its way.
@@ -32,54 +36,46 @@ class GoalWalks {
   /// Returns where the robot is in the frame odom. The result is empty if the robot has not said so for a while.
   using Odometer = std::function<std::optional<walk::PlanePose>()>;
 
-  /// All arguments must outlive the object and its walks.
+  /// All arguments must outlive the object.
   GoalWalks(const DriverParameters& parameters, const aibo_client::RcServerClient& client, movement::Mover& mover,
             Odometer odometer, movement::Mover::Clock clock = std::chrono::steady_clock::now);
 
-  class Walk {
-   public:
-    /// Steers the robot. Call this every kPeriod.
-    /// @return how the walk has ended; null if it goes on
-    const movement::EndedMovement* advance();
+  /// Subscribes to the topic goal, and steers walks from now on.
+  /// @param handle the handle of the walk commander, whose thread steers all walks
+  void subscribe(const ros::NodeHandle& handle);
 
-    /// Ends the walk in an orderly way.
-    void stop(const std::string& reason) { walks_->mover_.cancel(begun_.id, reason); }
+  /// Begins to walk to a goal. If it is refused, an earlier walk goes on.
+  movement::Mover::Answer begin(const geometry_msgs::PoseStamped& goal, const movement::Order& order);
 
-    const movement::Mover::Answer& begun() const { return begun_; }
+  /// Steers the robot.
+  void advance();
 
-    /// How much of the way was left at the last call of advance().
-    double distanceLeft() const { return distance_left_; }  ///< m
-    double turnLeft() const { return turn_left_; }          ///< rad
-
-   private:
-    friend class GoalWalks;
-
-    Walk(GoalWalks& walks, movement::Mover::Answer begun, const walk::PlanePose& goal)
-        : walks_(&walks), begun_(std::move(begun)), controller_(goal) {}
-
-    bool comesNoCloser();
-
-    GoalWalks* walks_;
-    movement::Mover::Answer begun_;
-    walk::GoalController controller_;
-    bool is_stopping_ = false;
-    double distance_left_ = 0;
-    double turn_left_ = 0;
-    double least_left_ = 0;
-    std::optional<movement::SteadyTime> closer_at_;
-  };
-
-  /// Begins to walk to a goal, and ends other walks. If the goal cannot be walked to, the walk has ended as refused.
-  Walk begin(const geometry_msgs::PoseStamped& goal, const movement::Order& order);
+  /// How much of the latest walk was left when it was steered last.
+  double distanceLeft() const { return distance_left_; }  ///< m
+  double turnLeft() const { return turn_left_; }          ///< rad
 
  private:
+  /// A walk that has to be steered.
+  struct Walk {
+    movement::Mover::Answer begun;
+    walk::GoalController controller;
+    double least_left;
+    movement::SteadyTime closer_at;
+  };
+
   walk::PlanePose goalIn(const geometry_msgs::PoseStamped& goal) const;
+  std::string steer();
 
   const DriverParameters& parameters_;
   const aibo_client::RcServerClient& client_;
   movement::Mover& mover_;
   const Odometer odometer_;
   const movement::Mover::Clock clock_;
+  std::optional<Walk> walk_;
+  double distance_left_ = 0;
+  double turn_left_ = 0;
+  ros::SteadyTimer timer_;
+  ros::Subscriber subscriber_;
 };
 
 }  // namespace aibo_driver::node

@@ -41,11 +41,11 @@ class GoalWalksTest : public ::testing::Test {
     return goal;
   }
 
-  GoalWalks::Walk begin(const geometry_msgs::PoseStamped& goal) { return walks_.begin(goal, {"/user", now_}); }
+  movement::Mover::Answer begin(const geometry_msgs::PoseStamped& goal) { return walks_.begin(goal, {"/user", now_}); }
 
   std::string refusalOf(const geometry_msgs::PoseStamped& goal) {
-    const GoalWalks::Walk walk = begin(goal);
-    const movement::EndedMovement* const end = walk.begun().ended();
+    const movement::Mover::Answer walk = begin(goal);
+    const movement::EndedMovement* const end = walk.ended();
     EXPECT_EQ(mover_.state().ended.back().reason, end != nullptr ? end->reason : "it is not refused");
     EXPECT_EQ(lastVelocity(), "") << "the robot moves";
     return end != nullptr && end->how == EndedHow::kRefused ? end->reason : "it is not refused";
@@ -60,10 +60,11 @@ class GoalWalksTest : public ::testing::Test {
   }
 
   // The robot walks with the commanded velocity.
-  void walkOn(GoalWalks::Walk& walk, double forward) {
+  void walkOn(const movement::Mover::Answer& walk, double forward) {
     now_ += GoalWalks::kPeriod;
     here_->x += forward;
-    EXPECT_EQ(walk.advance(), nullptr);
+    walks_.advance();
+    EXPECT_EQ(walk.ended(), nullptr);
     walk_order_ = walk_order_ == 0 ? client_.order() : walk_order_;
     mover_.steered({0.1, 0, 0}, client_.order(), walk_order_);
   }
@@ -113,12 +114,12 @@ TEST_F(GoalWalksTest, AGoalThatMakesNoSenseIsRefusedWithTheReason) {
 TEST_F(GoalWalksTest, FramesHaveThePrefixAndMayBeginWithASlash) {
   parameters_.frame_prefix = "left";
   EXPECT_THAT(refusalOf(goalAt(2)), HasSubstr("it must be left/odom"));
-  EXPECT_EQ(begin(goalAt(2, 0, "left/odom")).begun().ended(), nullptr);
-  EXPECT_EQ(begin(goalAt(2, 0, "/left/odom")).begun().ended(), nullptr);
+  EXPECT_EQ(begin(goalAt(2, 0, "left/odom")).ended(), nullptr);
+  EXPECT_EQ(begin(goalAt(2, 0, "/left/odom")).ended(), nullptr);
   here_ = walk::PlanePose{1, 3, 1.57079633};
   for (const std::string frame : {"left/base_link", "/left/base_footprint"}) {
-    EXPECT_EQ(begin(goalAt(2, 0.5, "left/odom")).begun().ended(), nullptr);
-    EXPECT_EQ(begin(goalAt(2, 0.5, frame)).begun().ended(), nullptr);
+    EXPECT_EQ(begin(goalAt(2, 0.5, "left/odom")).ended(), nullptr);
+    EXPECT_EQ(begin(goalAt(2, 0.5, frame)).ended(), nullptr);
     ASSERT_EQ(mover_.state().movements.size(), 1U);
     EXPECT_EQ(mover_.state().movements[0].name, "to x 0.16 m, y 2.15 m, yaw 2.27 rad") << "2 m ahead of the robot";
   }
@@ -127,37 +128,38 @@ TEST_F(GoalWalksTest, FramesHaveThePrefixAndMayBeginWithASlash) {
 TEST_F(GoalWalksTest, AsFarAsIsAllowedItWalks) {
   EXPECT_THAT(refusalOf(goalAt(-19.01)), HasSubstr("20.01 m away"));
   geometry_msgs::PoseStamped farthest = goalAt(21);
-  EXPECT_EQ(begin(farthest).begun().ended(), nullptr);
+  EXPECT_EQ(begin(farthest).ended(), nullptr);
   farthest.header.stamp = ros::Time::now() + ros::Duration(5);
-  EXPECT_EQ(begin(farthest).begun().ended(), nullptr) << "the clock of its sender is ahead";
+  EXPECT_EQ(begin(farthest).ended(), nullptr) << "the clock of its sender is ahead";
   farthest.header.stamp = ros::TIME_MAX;
-  EXPECT_EQ(begin(farthest).begun().ended(), nullptr);
+  EXPECT_EQ(begin(farthest).ended(), nullptr);
 }
 
 TEST_F(GoalWalksTest, SaysWhatIsLeftOfTheWayAndAtTheEndHowItEnded) {
   here_->yaw = 0.4;
-  GoalWalks::Walk walk = begin(goalAt(4, 4));
+  const movement::Mover::Answer walk = begin(goalAt(4, 4));
   walkOn(walk, 0);
-  EXPECT_NEAR(walk.distanceLeft(), 5, 1e-9);
-  EXPECT_NEAR(walk.turnLeft(), -0.4, 1e-9);
+  EXPECT_NEAR(walks_.distanceLeft(), 5, 1e-9);
+  EXPECT_NEAR(walks_.turnLeft(), -0.4, 1e-9);
   lastVelocity();
   mover_.disconnected();
   client_.problem = "there is no robot";
   here_ = walk::PlanePose{4, 0, 1};
-  ASSERT_NE(walk.advance(), nullptr);
-  EXPECT_EQ(walk.advance()->how, EndedHow::kLost);
-  EXPECT_NEAR(walk.distanceLeft(), 5, 1e-9) << "it is not looked at any more";
+  walks_.advance();
+  ASSERT_NE(walk.ended(), nullptr);
+  EXPECT_EQ(walk.ended()->how, EndedHow::kLost);
+  EXPECT_NEAR(walks_.distanceLeft(), 5, 1e-9) << "it is not looked at any more";
   EXPECT_EQ(lastVelocity(), "");
 }
 
 TEST_F(GoalWalksTest, TheRobotWalksWithinTheLimitsUntilItIsThere) {
-  GoalWalks::Walk walk = begin(goalAt(2));
+  const movement::Mover::Answer walk = begin(goalAt(2));
   walkOn(walk, 0);
   EXPECT_EQ(lastVelocity(), "steer 0.15 0.00 0.00") << "as fast as the robot can";
   parameters_.walk.speed_limit = 0.05;
   walkOn(walk, 0);
   EXPECT_EQ(lastVelocity(), "steer 0.10 0.00 0.00");
-  EXPECT_NEAR(walk.distanceLeft(), 1, 1e-9);
+  EXPECT_NEAR(walks_.distanceLeft(), 1, 1e-9);
   walkOn(walk, 0.97);
   EXPECT_EQ(lastVelocity(), "steer 0.06 0.00 0.00");
   walkOn(walk, 0.02);
@@ -165,25 +167,27 @@ TEST_F(GoalWalksTest, TheRobotWalksWithinTheLimitsUntilItIsThere) {
   walkOn(walk, 0.05);
   EXPECT_EQ(lastVelocity(), "") << "it overshoots while it stops, and does not walk back";
   mover_.ended({aibo_client::EndedKind::kWalk, EndedHow::kDone, "", "", walk_order_});
-  ASSERT_NE(walk.advance(), nullptr);
-  EXPECT_EQ(walk.advance()->how, EndedHow::kDone);
+  walks_.advance();
+  ASSERT_NE(walk.ended(), nullptr);
+  EXPECT_EQ(walk.ended()->how, EndedHow::kDone);
 }
 
 TEST_F(GoalWalksTest, ARobotThatMayNotTurnIsNotAtAGoalForWhichItWouldHaveTo) {
   parameters_.walk.turn_limit = 0;
-  GoalWalks::Walk walk = begin(goalAt(2));
+  const movement::Mover::Answer walk = begin(goalAt(2));
   walkOn(walk, 0.02);
   here_->yaw = 2;
-  walk.advance();
+  walks_.advance();
   EXPECT_EQ(lastVelocity(), "steer 0.00 0.00 0.00");
   mover_.ended({aibo_client::EndedKind::kWalk, EndedHow::kDone, "", "", walk_order_});
-  ASSERT_NE(walk.advance(), nullptr);
-  EXPECT_EQ(walk.advance()->how, EndedHow::kStopped);
-  EXPECT_THAT(walk.advance()->reason, HasSubstr("the limit is 0"));
+  walks_.advance();
+  ASSERT_NE(walk.ended(), nullptr);
+  EXPECT_EQ(walk.ended()->how, EndedHow::kStopped);
+  EXPECT_THAT(walk.ended()->reason, HasSubstr("the limit is 0"));
 }
 
 TEST_F(GoalWalksTest, ARobotThatComesNoCloserStops) {
-  GoalWalks::Walk walk = begin(goalAt(2));
+  const movement::Mover::Answer walk = begin(goalAt(2));
   for (int i = 0; i < 210; ++i) {
     walkOn(walk, i < 20 ? 0.02 : 0);
   }
@@ -193,20 +197,22 @@ TEST_F(GoalWalksTest, ARobotThatComesNoCloserStops) {
   }
   EXPECT_EQ(lastVelocity(), "steer 0.00 0.00 0.00");
   mover_.ended({aibo_client::EndedKind::kWalk, EndedHow::kDone, "", "", walk_order_});
-  EXPECT_EQ(walk.begun().ended()->how, EndedHow::kStopped);
-  EXPECT_THAT(walk.begun().ended()->reason, HasSubstr("no closer to the goal for 20 s"));
+  EXPECT_EQ(walk.ended()->how, EndedHow::kStopped);
+  EXPECT_THAT(walk.ended()->reason, HasSubstr("no closer to the goal for 20 s"));
 }
 
 TEST_F(GoalWalksTest, WithoutOdometryItStops) {
-  GoalWalks::Walk walk = begin(goalAt(2));
+  const movement::Mover::Answer walk = begin(goalAt(2));
   walkOn(walk, 0.02);
   here_.reset();
   now_ += GoalWalks::kPeriod;
-  EXPECT_EQ(walk.advance(), nullptr);
+  walks_.advance();
+  EXPECT_EQ(walk.ended(), nullptr);
   EXPECT_EQ(lastVelocity(), "steer 0.00 0.00 0.00");
-  EXPECT_EQ(walk.advance(), nullptr) << "the robot has not stopped yet";
+  walks_.advance();
+  EXPECT_EQ(walk.ended(), nullptr) << "the robot has not stopped yet";
   mover_.ended({aibo_client::EndedKind::kWalk, EndedHow::kDone, "", "", walk_order_});
-  EXPECT_THAT(walk.begun().ended()->reason, HasSubstr("has not said where it is"));
+  EXPECT_THAT(walk.ended()->reason, HasSubstr("has not said where it is"));
 }
 
 }  // namespace
