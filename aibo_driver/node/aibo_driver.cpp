@@ -33,7 +33,7 @@ constexpr int kPoolThreads = kMostPictureCalls + 4;
 // both, because each timer wakes two threads several times.
 constexpr double kReportPeriod = 1.0;  // s
 
-constexpr double kAtOnce = 0.01;  // s; a timer needs some time
+constexpr std::chrono::milliseconds kAtOnce{10};  // a timer needs some time
 
 // Even a silent connection takes a descriptor of this process, and without a free descriptor the process accepts no
 // other connection. The usual limit is 1024, and a process may raise it.
@@ -293,17 +293,11 @@ void AiboDriver::stayStopped() {
 // Lets the robot get up, on a thread that may wait for the robot's answer.
 void AiboDriver::letItGetUp(const std::string& source) {
   constexpr bool kOneShot = true;
-  constexpr bool kAutostart = false;
-  const auto stand = [this, source](const ros::SteadyTimerEvent&) {
+  get_up_timer_ = makeTimer(pool_.handle(), kAtOnce, kOneShot, [this, source] {
     ROS_INFO("The robot has fallen, and is told to get up.");
     mover_.takePosture({source, std::chrono::steady_clock::now()}, aibo_client::Posture::kStand);
-  };
-  get_up_timer_ =
-      ros::NodeHandle(pool_.handle()).createSteadyTimer(ros::WallDuration(kAtOnce), stand, kOneShot, kAutostart);
-  get_up_.emplace(source, [this] {
-    get_up_timer_.stop();  // a timer that has run out does not start again unless it was stopped
-    get_up_timer_.start();
   });
+  get_up_.emplace(source, [this] { restart(&get_up_timer_); });
 }
 
 // Refused orders are not logged here, because the end of each movement is logged.

@@ -102,4 +102,16 @@ void CallbackThreads::run() {
   }
 }
 
+ros::SteadyTimer makeTimer(ros::NodeHandle handle, std::chrono::duration<double> period, bool is_one_shot,
+                           const std::function<void()>& work) {
+  constexpr bool kAutostart = false;
+  const auto call = [work](const ros::SteadyTimerEvent&) { work(); };
+  return handle.createSteadyTimer(ros::WallDuration(period.count()), call, is_one_shot, kAutostart);
+}
+
+void restart(ros::SteadyTimer* timer) {
+  timer->stop();
+  timer->start();
+}
+
 }  // namespace aibo_driver::node

@@ -5,10 +5,12 @@
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <ros/poll_manager.h>
+#include <ros/steady_timer.h>
 
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -105,6 +107,13 @@ class CallbackThreads {
   std::atomic<bool> stopping_{false};
   std::vector<std::thread> threads_;
 };
+
+/// A timer that does not run yet. It calls `work` on the handle's callback queue, once or every `period`.
+ros::SteadyTimer makeTimer(ros::NodeHandle handle, std::chrono::duration<double> period, bool is_one_shot,
+                           const std::function<void()>& work);
+
+/// Lets a timer run for its whole period from now on. A timer that has run out does not start unless it is stopped.
+void restart(ros::SteadyTimer* timer);
 
 }  // namespace aibo_driver::node
 

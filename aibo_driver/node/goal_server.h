@@ -83,10 +83,7 @@ class GoalServer : public Action {
 
   GoalServer(ros::NodeHandle handle, ActionKind<Spec> kind) : kind_(std::move(kind)) {
     constexpr bool kOneShot = false;
-    constexpr bool kAutostart = false;
-    timer_ = handle.createSteadyTimer(
-        ros::WallDuration(std::chrono::duration<double>(kind_.period).count()),
-        [this](const ros::SteadyTimerEvent&) { look(); }, kOneShot, kAutostart);
+    timer_ = makeTimer(handle, kind_.period, kOneShot, [this] { look(); });
     server_ = std::make_unique<Server>(
         handle, kind_.name, [this](const GoalHandle& goal) { accept(goal); },
         [this](const GoalHandle& goal) { cancel(goal); });

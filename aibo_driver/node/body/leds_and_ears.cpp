@@ -9,7 +9,6 @@
 #include "aibo_client/exceptions.h"
 #include "movement/joint_table.h"
 #include "movement/movement.h"
-#include "node/bounded_message.h"
 #include "node/orders.h"
 
 namespace aibo_driver::node {
@@ -99,23 +98,13 @@ ParsedLeds parseLeds(const Leds& message, const robot_model::RobotModel& model) 
 }
 
 void LedsAndEars::subscribe(const ros::NodeHandle& handle) {
-  ros::NodeHandle topics(handle);
-  using BoundedLeds = BoundedMessage<Leds, kMostBytes>;
-  const boost::function<void(const boost::shared_ptr<BoundedLeds const>&)> receive_leds =
-      [this](const boost::shared_ptr<BoundedLeds const>& message) {
-        const std::string refusal = message->refusal();
-        if (refusal.empty()) {
-          receiveLeds(message->message);
-        } else {
-          warnings_.warn("A message on leds was refused: " + refusal + ".");
-        }
-      };
-  leds_ = topics.subscribe<BoundedLeds>("leds", kLedsAndEarsQueueSize, receive_leds);
-  using EarsEvent = ros::MessageEvent<Ears const>;
-  const boost::function<void(const EarsEvent&)> receive_ears = [this](const EarsEvent& event) {
-    receiveEars(*event.getMessage(), orderOf(event));
-  };
-  ears_ = topics.subscribe<Ears>("ears", kLedsAndEarsQueueSize, receive_ears);
+  leds_ = subscribeToOrders<Leds, kMostBytes>(
+      handle, "leds", kLedsAndEarsQueueSize, [this](const Leds& message, const auto&) { receiveLeds(message); },
+      [this](const auto&, const std::string& reason) {
+        warnings_.warn("A message on leds was refused: " + reason + ".");
+      });
+  ears_ = subscribeToOrders<Ears>(handle, "ears", kLedsAndEarsQueueSize,
+                                  [this](const auto& message, const auto& order) { receiveEars(message, order); });
 }
 
 void LedsAndEars::receiveLeds(const Leds& message) {

@@ -6,13 +6,14 @@
 
 #include "aibo_client/exceptions.h"
 #include "movement/joint_plan.h"
-#include "node/bounded_message.h"
 #include "node/joints/trajectory_messages.h"
 #include "node/orders.h"
 
 namespace aibo_driver::node {
 
 namespace {
+
+using Kind = movement::Movement::Kind;
 
 // Several programs may each command some of the joints, so messages must not replace each other. A driver that stalled
 // reads all waiting messages at once, and each of them has to get its end.
@@ -24,63 +25,35 @@ constexpr std::uint32_t kTrajectoryQueueSize = 5;
 constexpr std::size_t kMostBytesOfCommand = 256 << 10;   // far more than a command to all joints of a robot
 constexpr std::size_t kMostBytesOfTrajectory = 1 << 20;  // all joints, thirty points a second, for a hundred seconds
 
-template <typename Message>
-ros::Subscriber subscribeTo(const std::string& topic, std::uint32_t queue_size, ros::NodeHandle* topics,
-                            const boost::function<void(const ros::MessageEvent<Message const>&)>& receive) {
-  return topics->subscribe<Message>(topic, queue_size, receive, ros::VoidConstPtr(),
-                                    ros::TransportHints().tcpNoDelay());
-}
-
 }  // namespace
 
 void JointCommander::subscribe(const ros::NodeHandle& handle) {
-  ros::NodeHandle topics(handle);
   constexpr bool kOneShot = true;
-  constexpr bool kAutostart = false;
-  using Seconds = std::chrono::duration<double>;
-  collecting_ = topics.createSteadyTimer(
-      ros::WallDuration(Seconds(kCollectingTime).count()), [this](const ros::SteadyTimerEvent&) { sendCollected(); },
-      kOneShot, kAutostart);
-  const auto move_on = [this](const ros::SteadyTimerEvent&) {
+  collecting_ = makeTimer(handle, kCollectingTime, kOneShot, [this] { sendCollected(); });
+  timer_ = makeTimer(handle, movement::JointPlan::kPeriod, !kOneShot, [this] {
     if (!mover_.advance()) {
       timer_.stop();
     }
-  };
-  timer_ = topics.createSteadyTimer(ros::WallDuration(Seconds(movement::JointPlan::kPeriod).count()), move_on,
-                                    !kOneShot, kAutostart);
-  using Position = std_msgs::Float64;
+  });
   for (const movement::JointProperties& joint : table_.joints()) {
     subscribers_.push_back(
-        subscribeTo<Position>(joint.name + "_position_controller/command", 1, &topics,
-                              [this, name = joint.name](const ros::MessageEvent<Position const>& event) {
-                                receivePosition(name, event.getMessage()->data, orderOf(event));
-                              }));
+        subscribeToOrders<std_msgs::Float64>(handle, joint.name + "_position_controller/command", 1,
+                                             [this, name = joint.name](const auto& message, const auto& order) {
+                                               receivePosition(name, message.data, order);
+                                             }));
   }
-  using Command = BoundedMessage<sensor_msgs::JointState, kMostBytesOfCommand>;
-  subscribers_.push_back(subscribeTo<Command>("joint_command", kCommandQueueSize, &topics,
-                                              [this](const ros::MessageEvent<Command const>& event) {
-                                                receiveBounded(event, movement::Movement::Kind::kCommand);
-                                              }));
-  using Trajectory = BoundedMessage<trajectory_msgs::JointTrajectory, kMostBytesOfTrajectory>;
-  subscribers_.push_back(subscribeTo<Trajectory>("joint_trajectory", kTrajectoryQueueSize, &topics,
-                                                 [this](const ros::MessageEvent<Trajectory const>& event) {
-                                                   receiveBounded(event, movement::Movement::Kind::kTrajectory);
-                                                 }));
-}
-
-template <typename Bounded>
-void JointCommander::receiveBounded(const ros::MessageEvent<Bounded const>& event, movement::Movement::Kind kind) {
-  const std::string refusal = event.getMessage()->refusal();
-  if (refusal.empty()) {
-    receive(event.getMessage()->message, orderOf(event));
-  } else {
-    mover_.refuse(orderOf(event), kind, {}, refusal);
-  }
+  const auto receive = [this](const auto& message, const auto& order) { this->receive(message, order); };
+  const auto refuse = [this](Kind kind) {
+    return [this, kind](const auto& order, const std::string& reason) { mover_.refuse(order, kind, {}, reason); };
+  };
+  subscribers_.push_back(subscribeToOrders<sensor_msgs::JointState, kMostBytesOfCommand>(
+      handle, "joint_command", kCommandQueueSize, receive, refuse(Kind::kCommand)));
+  subscribers_.push_back(subscribeToOrders<trajectory_msgs::JointTrajectory, kMostBytesOfTrajectory>(
+      handle, "joint_trajectory", kTrajectoryQueueSize, receive, refuse(Kind::kTrajectory)));
 }
 
 void JointCommander::receive(const sensor_msgs::JointState& message, const movement::Order& order) {
   sendCollected();  // the collected positions came before this message
-  using Kind = movement::Movement::Kind;
   mover_.command(order, message.name, message.position, message.velocity,
                  message.header.frame_id == kLookAt ? Kind::kLookAt : Kind::kCommand);
 }
@@ -99,7 +72,7 @@ void JointCommander::receive(const trajectory_msgs::JointTrajectory& message, co
   try {
     wait = waitBeforeStart(message.header.stamp, ros::Time::now());
   } catch (const aibo_client::InvalidArgumentException& error) {
-    mover_.refuse(order, movement::Movement::Kind::kTrajectory, message.joint_names, error.what());
+    mover_.refuse(order, Kind::kTrajectory, message.joint_names, error.what());
     return;
   }
   mover_.follow(order, toRequest(message), wait);
@@ -111,8 +84,7 @@ void JointCommander::receivePosition(const std::string& joint, double position, 
   }
   if (collected_.name.empty()) {
     collected_order_ = order;
-    collecting_.stop();  // a timer that has run out does not start again unless it was stopped
-    collecting_.start();
+    restart(&collecting_);
   }
   collected_.name.push_back(joint);
   collected_.position.push_back(position);

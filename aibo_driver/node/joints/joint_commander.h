@@ -3,7 +3,6 @@
 #define AIBO_DRIVER_NODE_JOINTS_JOINT_COMMANDER_H
 
 #include <ros/console.h>
-#include <ros/message_event.h>
 #include <ros/node_handle.h>
 #include <ros/steady_timer.h>
 #include <sensor_msgs/JointState.h>
@@ -53,8 +52,6 @@ class JointCommander {
   void receivePosition(const std::string& joint, double position, const movement::Order& order);
 
  private:
-  template <typename Bounded>
-  void receiveBounded(const ros::MessageEvent<Bounded const>& event, movement::Movement::Kind kind);
   void sendCollected();
 
   const movement::JointTable& table_;

@@ -65,17 +65,11 @@ GoalWalks::GoalWalks(const DriverParameters& parameters, const aibo_client::RcSe
       clock_(std::move(clock)) {}
 
 void GoalWalks::subscribe(const ros::NodeHandle& handle) {
-  ros::NodeHandle topics(handle);
   constexpr bool kOneShot = false;
-  constexpr bool kAutostart = false;
-  timer_ = topics.createSteadyTimer(
-      ros::WallDuration(std::chrono::duration<double>(kPeriod).count()),
-      [this](const ros::SteadyTimerEvent&) { advance(); }, kOneShot, kAutostart);
-  using Goal = geometry_msgs::PoseStamped;
-  const boost::function<void(const ros::MessageEvent<Goal const>&)> receive =
-      [this](const ros::MessageEvent<Goal const>& event) { begin(*event.getMessage(), orderOf(event)); };
+  timer_ = makeTimer(handle, kPeriod, kOneShot, [this] { advance(); });
   constexpr std::uint32_t kNewest = 1;
-  subscriber_ = topics.subscribe<Goal>("goal", kNewest, receive);
+  subscriber_ = subscribeToOrders<geometry_msgs::PoseStamped>(
+      handle, "goal", kNewest, [this](const auto& goal, const auto& order) { begin(goal, order); });
 }
 
 movement::Mover::Answer GoalWalks::begin(const geometry_msgs::PoseStamped& goal, const movement::Order& order) {

@@ -1,7 +1,5 @@
 #include "node/walk/walk_commander.h"
 
-#include <ros/message_event.h>
-
 #include <chrono>
 #include <cmath>
 
@@ -21,17 +19,11 @@ bool isFinite(const geometry_msgs::Vector3& vector) {
 }  // namespace
 
 void WalkCommander::subscribe(const ros::NodeHandle& handle) {
-  ros::NodeHandle topics(handle);
   constexpr bool kOneShot = true;
-  constexpr bool kAutostart = false;
-  timer_ = topics.createSteadyTimer(
-      ros::WallDuration(Seconds(settings_.timeout).count()), [this](const ros::SteadyTimerEvent&) { runOut(); },
-      kOneShot, kAutostart);
-  const boost::function<void(const ros::MessageEvent<Twist const>&)> receive =
-      [this](const ros::MessageEvent<Twist const>& event) { this->receive(*event.getMessage(), orderOf(event)); };
+  timer_ = makeTimer(handle, settings_.timeout, kOneShot, [this] { runOut(); });
   constexpr std::uint32_t kNewest = 1;
-  subscriber_ =
-      topics.subscribe<Twist>("cmd_vel", kNewest, receive, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+  subscriber_ = subscribeToOrders<Twist>(handle, "cmd_vel", kNewest,
+                                         [this](const auto& message, const auto& order) { receive(message, order); });
 }
 
 void WalkCommander::receive(const Twist& message, const movement::Order& order) {
@@ -42,9 +34,10 @@ void WalkCommander::receive(const Twist& message, const movement::Order& order) 
   }
   const aibo_client::WalkVelocity wanted{message.linear.x, message.linear.y, message.angular.z};
   mover_.steer(order, walk::velocityToSend(wanted, settings_, client_.status().robot.walk_limits));
-  timer_.stop();  // a timer that has run out does not start again unless it was stopped
-  if (!wanted.isZero()) {
-    timer_.start();
+  if (wanted.isZero()) {
+    timer_.stop();
+  } else {
+    restart(&timer_);
   }
 }
 
