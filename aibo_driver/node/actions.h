@@ -15,14 +15,8 @@
 
 namespace aibo_driver::node {
 
-/// An action, which is served while this object lives. The class hides actionlib's headers, which take long to compile.
-class Action {
- public:
-  Action() = default;
-  virtual ~Action() = default;
-  Action(const Action&) = delete;
-  Action& operator=(const Action&) = delete;
-};
+/// An action, which is served while this object lives. Its type hides actionlib's headers, which take long to compile.
+using Action = std::shared_ptr<void>;
 
 // In all these functions, the callbacks of the handle's queue have to run one after the other. All other arguments must
 // outlive the action.
@@ -31,23 +25,23 @@ class Action {
 /// goal is rejected. Otherwise the goal ends with the motion. Cancelling the goal stops the motion.
 ///
 /// If a server does not report the ends of motions, each goal succeeds as soon as its motion plays.
-std::unique_ptr<Action> startPlayMotion(const ros::NodeHandle& handle, movement::Mover& mover);
+Action startPlayMotion(const ros::NodeHandle& handle, movement::Mover& mover);
 
 /// Starts play_sound. A goal ends with its sound, and cancelling it stops the sound.
-std::unique_ptr<Action> startPlaySound(const ros::NodeHandle& handle, sound::Player& player);
+Action startPlaySound(const ros::NodeHandle& handle, sound::Player& player);
 
 /// Starts follow_joint_trajectory of control_msgs. A goal is a trajectory like those of the topic joint_trajectory,
 /// with tolerances. Goals for different joints run side by side. Cancelling a goal stops its joints where they are.
 /// @return null if the driver was built without control_msgs
-std::unique_ptr<Action> startFollowTrajectory(const ros::NodeHandle& handle, const movement::JointTable& table,
-                                              const movement::MeasuredJoints& measured, movement::Mover& mover);
+Action startFollowTrajectory(const ros::NodeHandle& handle, const movement::JointTable& table,
+                             const movement::MeasuredJoints& measured, movement::Mover& mover);
 
 /// Starts go_to. A goal ends with its walk, and cancelling it stops the walk.
 /// @param handle its queue also calls all other functions of `walks`
-std::unique_ptr<Action> startGoTo(const ros::NodeHandle& handle, GoalWalks& walks, movement::Mover& mover);
+Action startGoTo(const ros::NodeHandle& handle, GoalWalks& walks, movement::Mover& mover);
 
 /// Starts take_posture. A goal ends when the robot has taken the posture. After a cancel, the legs hold.
-std::unique_ptr<Action> startTakePosture(const ros::NodeHandle& handle, movement::Mover& mover);
+Action startTakePosture(const ros::NodeHandle& handle, movement::Mover& mover);
 
 }  // namespace aibo_driver::node
 

@@ -162,7 +162,7 @@ class AiboDriver {
   GoalWalks goal_walks_;
   LedsAndEars leds_and_ears_;
   std::vector<ros::ServiceServer> services_;
-  std::vector<std::unique_ptr<Action>> actions_;
+  std::vector<Action> actions_;
   DriverDiagnostics diagnostics_;
   ros::SteadyTimer report_timer_;
 };

@@ -63,19 +63,18 @@ struct Activity {
 template <typename Spec>
 struct ActionKind {
   std::string name;
-  std::string logger;                     ///< the logger for errors when a cancelled goal could not be stopped
   std::chrono::milliseconds period{100};  ///< the time between two looks at a goal
   /// Begins what a goal asks for. If this throws, the goal is rejected.
   std::function<Activity<Spec>(const GoalOf<Spec>&, const movement::Order&)> begin;
-  /// Makes the result and the text of a rejected goal.
-  std::function<std::pair<ResultOf<Spec>, std::string>(const std::exception&)> refuse;
+  /// Makes the end of a goal that is rejected.
+  std::function<GoalEnd<Spec>(const std::exception&)> refuse;
 };
 
 /// Serves an action. Up to kMostGoals goals of up to kMostBytesOfGoal may go on at a time; others are rejected. A
 /// cancelled goal tells the robot to stop, and goes on until the robot has stopped. Then it ends as canceled, unless it
 /// has succeeded.
 template <typename Spec>
-class GoalServer : public Action {
+class GoalServer {
  public:
   static constexpr std::size_t kMostGoals = 32;
   /// Enough for a trajectory of all joints with thirty points a second, for a hundred seconds.
@@ -107,8 +106,8 @@ class GoalServer : public Action {
       goals_.push_back({goal, std::move(activity)});
       timer_.start();
     } catch (const std::exception& error) {
-      const auto [result, text] = kind_.refuse(error);
-      goal.setRejected(result, text);
+      const GoalEnd<Spec> end = kind_.refuse(error);
+      goal.setRejected(end.result, end.text);
     }
   }
 
@@ -133,8 +132,8 @@ class GoalServer : public Action {
     try {
       found->activity.stop(orderOfGoal(goal.getGoalID().id));
     } catch (const std::exception& error) {
-      ROS_WARN_STREAM_NAMED(kind_.logger, "A goal of " << kind_.name << " was cancelled, but what it began was not "
-                                                       << "stopped: " << error.what());
+      ROS_WARN_STREAM_NAMED("joints", "A goal of " << kind_.name << " was cancelled, but what it began was not "
+                                                   << "stopped: " << error.what());
     }
     look();
   }
@@ -191,13 +190,12 @@ GoalEnd<Spec> goalEnd(aibo_client::EndedHow how, const std::string& message) {
   return end;
 }
 
-/// Returns a function that makes the result of a rejected goal.
+/// Returns a function that makes the end of a rejected goal.
 /// @param failure the beginning of the message, such as "Nothing was played"
 template <typename Spec>
 auto refuseWith(const std::string& failure) {
   return [failure](const std::exception& error) {
-    const std::string message = text::plainText(failure + ": " + error.what());
-    return std::make_pair(goalEnd<Spec>(aibo_client::EndedHow::kRefused, message).result, message);
+    return goalEnd<Spec>(aibo_client::EndedHow::kRefused, text::plainText(failure + ": " + error.what()));
   };
 }
 

@@ -132,117 +132,52 @@ Result resultOf(std::int32_t code, const std::string& text) {
   return result;
 }
 
-std::pair<Result, std::string> refuse(const std::exception& error) {
-  const auto* const refusal = dynamic_cast<const GoalRefusal*>(&error);
-  return {resultOf(refusal == nullptr ? Result::INVALID_GOAL : refusal->code(), error.what()), error.what()};
+End aborted(std::int32_t code, const std::string& reason) {
+  return {End::State::kAborted, resultOf(code, reason), reason};
 }
 
-End canceled(const std::string& reason) {
-  return {End::State::kCanceled, resultOf(Result::SUCCESSFUL, reason), reason};
+End refuse(const std::exception& error) {
+  const auto* const refusal = dynamic_cast<const GoalRefusal*>(&error);
+  return aborted(refusal == nullptr ? Result::INVALID_GOAL : refusal->code(), error.what());
 }
 
 End endOf(const movement::EndedMovement& end) {
   if (end.how == EndedHow::kDone) {
     return {End::State::kSucceeded, resultOf(Result::SUCCESSFUL, ""), ""};
   }
-  if (end.how == EndedHow::kReplaced) {
-    return canceled(end.reason);
+  if (end.how == EndedHow::kReplaced || end.reason == kCancelled) {
+    return {End::State::kCanceled, resultOf(Result::SUCCESSFUL, end.reason), end.reason};
   }
   const bool was_followed = end.how == EndedHow::kNotReached || end.how == EndedHow::kUnknown;
-  const std::int32_t code = was_followed ? Result::GOAL_TOLERANCE_VIOLATED : Result::INVALID_GOAL;
-  return {End::State::kAborted, resultOf(code, end.reason), end.reason};
+  return aborted(was_followed ? Result::GOAL_TOLERANCE_VIOLATED : Result::INVALID_GOAL, end.reason);
 }
 
-/// The trajectory of one goal.
-class GoalTrajectory {
- public:
-  /// Begins the trajectory.
-  /// @throw GoalRefusal, InvalidArgumentException, CommandException it does not begin
-  GoalTrajectory(const movement::JointTable& table, const movement::MeasuredJoints& measured, movement::Mover& mover,
-                 const FollowJointTrajectoryGoal& goal, const movement::Order& order);
-
-  /// Stops the trajectory; its joints hold their positions.
-  /// @throw the exceptions of Mover::cancel()
-  void cancel();
-
-  /// @see Activity
-  std::optional<End> look(const Trajectory::Publish& publish);
-
- private:
-  std::optional<End> violated(const FollowJointTrajectoryFeedback& state);
-  FollowJointTrajectoryFeedback state() const;
-
-  const movement::JointTable& table_;
-  const movement::MeasuredJoints& measured_;
-  movement::Mover& mover_;
-  std::vector<std::string> joints_;
-  Tolerances path_;
-  movement::Mover::Answer movement_;
-  bool is_cancelled_ = false;
-};
-
-GoalTrajectory::GoalTrajectory(const movement::JointTable& table, const movement::MeasuredJoints& measured,
-                               movement::Mover& mover, const FollowJointTrajectoryGoal& goal,
-                               const movement::Order& order)
-    : table_(table), measured_(measured), mover_(mover), joints_(goal.trajectory.joint_names) {
-  checkJoints(goal.trajectory, table);
-  path_ = tolerancesOf(goal.path_tolerance, goal.trajectory);
-  const movement::Arrival arrival = arrivalOf(goal);
-  const std::chrono::nanoseconds wait = waitFor(goal.trajectory);
-  movement_ = mover.follow(order, toRequest(goal.trajectory), wait, arrival);
-  const movement::EndedMovement* const end = movement_.ended();
-  if (end != nullptr && end->how == EndedHow::kRefused) {
-    throw aibo_client::CommandException(end->reason);
-  }
-}
-
-void GoalTrajectory::cancel() {
-  is_cancelled_ = true;
-  mover_.cancel(movement_.id, kCancelled);
-}
-
-std::optional<End> GoalTrajectory::look(const Trajectory::Publish& publish) {
-  if (is_cancelled_) {
-    return canceled(kCancelled);
-  }
-  if (const movement::EndedMovement* const end = movement_.ended()) {
-    return endOf(*end);
-  }
-  const FollowJointTrajectoryFeedback now = state();
-  if (now.joint_names.empty()) {
-    return std::nullopt;
-  }
-  publish(now);
-  return violated(now);
-}
-
-// Ends the trajectory if a joint is too far from its path.
-std::optional<End> GoalTrajectory::violated(const FollowJointTrajectoryFeedback& state) {
-  const std::string problem = violation(path_, state);
-  if (problem.empty()) {
-    return std::nullopt;
-  }
+// Ends a trajectory that has left its path.
+End fail(movement::Mover* mover, movement::MovementId trajectory, const std::string& problem) {
   try {
-    mover_.cancel(movement_.id, problem);
+    mover->cancel(trajectory, problem);
   } catch (const aibo_client::Exception& error) {
     ROS_WARN_STREAM_NAMED("joints", "A goal has failed, and its joints could not be held: " << error.what());
   }
-  return End{End::State::kAborted, resultOf(Result::PATH_TOLERANCE_VIOLATED, problem), problem};
+  return aborted(Result::PATH_TOLERANCE_VIOLATED, problem);
 }
 
 // Where the joints should be and where they are. The result is empty before the trajectory's beginning and after its
 // end. Each measured position is compared with where the joint should have been when it was measured.
-FollowJointTrajectoryFeedback GoalTrajectory::state() const {
+FollowJointTrajectoryFeedback feedbackOf(movement::MovementId trajectory, const std::vector<std::string>& joints,
+                                         const movement::JointTable& table,
+                                         const movement::MeasuredJoints& measured_joints,
+                                         const movement::Mover& mover) {
   FollowJointTrajectoryFeedback state;
-  for (std::size_t i = 0; i < joints_.size(); ++i) {
-    const std::size_t joint = *table_.findByName(joints_[i]);
-    const std::optional<movement::MeasuredJoint> measured = measured_.find(joint);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const std::size_t joint = *table.findByName(joints[i]);
+    const std::optional<movement::MeasuredJoint> measured = measured_joints.find(joint);
     if (!measured) {
       continue;
     }
-    const auto wanted = mover_.wantedBy(movement_.id, measured->arrival);
+    const auto wanted = mover.wantedBy(trajectory, measured->arrival);
     if (i < wanted.size()) {
-      state.joint_names.push_back(joints_[i]);
+      state.joint_names.push_back(joints[i]);
       state.desired.positions.push_back(wanted[i].position);
       state.desired.velocities.push_back(wanted[i].velocity);
       state.actual.positions.push_back(measured->position);
@@ -257,19 +192,36 @@ FollowJointTrajectoryFeedback GoalTrajectory::state() const {
 
 }  // namespace
 
-std::unique_ptr<Action> startFollowTrajectory(const ros::NodeHandle& handle, const movement::JointTable& table,
-                                              const movement::MeasuredJoints& measured, movement::Mover& mover) {
+Action startFollowTrajectory(const ros::NodeHandle& handle, const movement::JointTable& table,
+                             const movement::MeasuredJoints& measured, movement::Mover& mover) {
   ActionKind<FollowJointTrajectoryAction> kind;
   kind.name = "follow_joint_trajectory";
-  kind.logger = "joints";
   kind.period = kPeriod;
   kind.begin = [&](const FollowJointTrajectoryGoal& goal, const movement::Order& order) -> Trajectory {
-    const auto trajectory = std::make_shared<GoalTrajectory>(table, measured, mover, goal, order);
-    return {"", [trajectory](const movement::Order&) { trajectory->cancel(); },
-            [trajectory](const Trajectory::Publish& publish) { return trajectory->look(publish); }};
+    checkJoints(goal.trajectory, table);
+    const Tolerances path = tolerancesOf(goal.path_tolerance, goal.trajectory);
+    const movement::Arrival arrival = arrivalOf(goal);
+    const std::chrono::nanoseconds wait = waitFor(goal.trajectory);
+    const movement::Mover::Answer begun = mover.follow(order, toRequest(goal.trajectory), wait, arrival);
+    throwIfRefused(begun);
+    const auto stop = [&mover, begun](const movement::Order&) { mover.cancel(begun.id, kCancelled); };
+    const auto look = [&, begun, path,
+                       joints = goal.trajectory.joint_names](const Trajectory::Publish& publish) -> std::optional<End> {
+      if (const movement::EndedMovement* const ended = begun.ended()) {
+        return endOf(*ended);
+      }
+      const FollowJointTrajectoryFeedback now = feedbackOf(begun.id, joints, table, measured, mover);
+      if (now.joint_names.empty()) {
+        return std::nullopt;
+      }
+      publish(now);
+      const std::string problem = violation(path, now);
+      return problem.empty() ? std::nullopt : std::make_optional(fail(&mover, begun.id, problem));
+    };
+    return {"", stop, look};
   };
   kind.refuse = refuse;
-  return std::make_unique<GoalServer<FollowJointTrajectoryAction>>(handle, kind);
+  return std::make_shared<GoalServer<FollowJointTrajectoryAction>>(handle, kind);
 }
 
 }  // namespace aibo_driver::node
@@ -278,8 +230,8 @@ std::unique_ptr<Action> startFollowTrajectory(const ros::NodeHandle& handle, con
 
 namespace aibo_driver::node {
 
-std::unique_ptr<Action> startFollowTrajectory(const ros::NodeHandle&, const movement::JointTable&,
-                                              const movement::MeasuredJoints&, movement::Mover&) {
+Action startFollowTrajectory(const ros::NodeHandle&, const movement::JointTable&, const movement::MeasuredJoints&,
+                             movement::Mover&) {
   return nullptr;
 }
 

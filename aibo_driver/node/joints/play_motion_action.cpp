@@ -7,10 +7,9 @@
 
 namespace aibo_driver::node {
 
-std::unique_ptr<Action> startPlayMotion(const ros::NodeHandle& handle, movement::Mover& mover) {
+Action startPlayMotion(const ros::NodeHandle& handle, movement::Mover& mover) {
   ActionKind<PlayMotionAction> kind;
   kind.name = "play_motion";
-  kind.logger = "joints";
   kind.begin = [&mover](const PlayMotionGoal& goal, const movement::Order& order) -> Activity<PlayMotionAction> {
     const std::string name = motionNamed(goal.name);
     const movement::Mover::Answer motion = mover.play(order, name, std::max<int>(1, goal.repetitions));
@@ -20,7 +19,7 @@ std::unique_ptr<Action> startPlayMotion(const ros::NodeHandle& handle, movement:
             lookFor<PlayMotionAction>(motion, "It was played to its end" + (motion.is_uncertain ? "" : remark))};
   };
   kind.refuse = refuseWith<PlayMotionAction>("Nothing was played");
-  return std::make_unique<GoalServer<PlayMotionAction>>(handle, kind);
+  return std::make_shared<GoalServer<PlayMotionAction>>(handle, kind);
 }
 
 }  // namespace aibo_driver::node

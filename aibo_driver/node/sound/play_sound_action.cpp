@@ -17,10 +17,9 @@ std::shared_ptr<sound::Playback> play(sound::Player* player, const PlaySoundGoal
 
 }  // namespace
 
-std::unique_ptr<Action> startPlaySound(const ros::NodeHandle& handle, sound::Player& player) {
+Action startPlaySound(const ros::NodeHandle& handle, sound::Player& player) {
   ActionKind<PlaySoundAction> kind;
   kind.name = "play_sound";
-  kind.logger = "sound";
   kind.begin = [&player](const PlaySoundGoal& goal, const movement::Order&) -> Activity<PlaySoundAction> {
     const std::shared_ptr<sound::Playback> playback = play(&player, goal);
     return {"It plays.", [&player, playback](const movement::Order&) { player.stop(playback); },
@@ -30,7 +29,7 @@ std::unique_ptr<Action> startPlaySound(const ros::NodeHandle& handle, sound::Pla
             })};
   };
   kind.refuse = refuseWith<PlaySoundAction>("Nothing was played");
-  return std::make_unique<GoalServer<PlaySoundAction>>(handle, kind);
+  return std::make_shared<GoalServer<PlaySoundAction>>(handle, kind);
 }
 
 }  // namespace aibo_driver::node

@@ -5,11 +5,9 @@
 
 namespace aibo_driver::node {
 
-std::unique_ptr<Action> startGoTo(const ros::NodeHandle& handle, GoalWalks& walks, movement::Mover& mover) {
+Action startGoTo(const ros::NodeHandle& handle, GoalWalks& walks, movement::Mover& mover) {
   ActionKind<GoToAction> kind;
   kind.name = "go_to";
-  kind.logger = "joints";
-  kind.period = GoalWalks::kPeriod;
   kind.begin = [&](const GoToGoal& goal, const movement::Order& order) -> Activity<GoToAction> {
     const movement::Mover::Answer begun = walks.begin(goal.pose, order);
     throwIfRefused(begun);
@@ -30,7 +28,7 @@ std::unique_ptr<Action> startGoTo(const ros::NodeHandle& handle, GoalWalks& walk
     return {"The robot walks to the goal", stop, look};
   };
   kind.refuse = refuseWith<GoToAction>("The robot does not walk to the goal");
-  return std::make_unique<GoalServer<GoToAction>>(handle, kind);
+  return std::make_shared<GoalServer<GoToAction>>(handle, kind);
 }
 
 }  // namespace aibo_driver::node

@@ -24,10 +24,9 @@ Posture postureNamed(const std::string& name) {
 
 }  // namespace
 
-std::unique_ptr<Action> startTakePosture(const ros::NodeHandle& handle, movement::Mover& mover) {
+Action startTakePosture(const ros::NodeHandle& handle, movement::Mover& mover) {
   ActionKind<TakePostureAction> kind;
   kind.name = "take_posture";
-  kind.logger = "joints";
   kind.begin = [&mover](const TakePostureGoal& goal, const movement::Order& order) -> Activity<TakePostureAction> {
     const movement::Mover::Answer begun = mover.takePosture(order, postureNamed(goal.posture));
     return {begun.is_uncertain ? "The robot may or may not begin: " + begun.remark : "The robot begins",
@@ -35,7 +34,7 @@ std::unique_ptr<Action> startTakePosture(const ros::NodeHandle& handle, movement
             lookFor<TakePostureAction>(begun, "The robot has taken the posture")};
   };
   kind.refuse = refuseWith<TakePostureAction>("The robot does not take the posture");
-  return std::make_unique<GoalServer<TakePostureAction>>(handle, kind);
+  return std::make_shared<GoalServer<TakePostureAction>>(handle, kind);
 }
 
 }  // namespace aibo_driver::node
