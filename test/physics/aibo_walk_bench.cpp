@@ -39,20 +39,16 @@ Record tryOut(const std::string& name, const World& world, const physics::Comman
   return record;
 }
 
-/// The lowest, the middle and the highest value.
-void printSpread(std::vector<double> values, double unit) {
-  std::sort(values.begin(), values.end());
-  for (const double value : {values.front(), values[values.size() / 2], values.back()}) {
-    std::cout << std::setw(8) << value / unit;
-  }
-  std::cout << "  ";
-}
-
+/// The lowest, the middle and the highest of each value.
 void summarize(const std::string& name, const Records& records) {
   const auto spread = [&](double unit, const auto& valueOf) {
     std::vector<double> values;
     std::transform(records.begin(), records.end(), std::back_inserter(values), valueOf);
-    printSpread(values, unit);
+    std::sort(values.begin(), values.end());
+    for (const double value : {values.front(), values[values.size() / 2], values.back()}) {
+      std::cout << std::setw(8) << value / unit;
+    }
+    std::cout << "  ";
   };
   std::cout << std::left << std::setw(18) << name << std::right << std::fixed << std::setprecision(0);
   spread(1e-3, [](const Record& record) { return record.walked[0]; });

@@ -301,10 +301,6 @@ double PhysicalErs7::jointSpeed(std::size_t joint) const {
   return state_->qvel[servos_[joint].speed_address];
 }
 
-double PhysicalErs7::torque(std::size_t joint) const {
-  return world_.stall_torque * (duty(joint) - jointSpeed(joint) / highestSpeed(joint));
-}
-
 double PhysicalErs7::duty(std::size_t joint) const {
   return servos_[joint].duty;
 }

@@ -77,7 +77,6 @@ class PhysicalErs7 : public openr_host::VirtualRobot {
   double tilt() const;                            ///< of the body's up against the room's, in radian
   double jointPosition(std::size_t joint) const;  ///< radian
   double jointSpeed(std::size_t joint) const;     ///< radian/s
-  double torque(std::size_t joint) const;         ///< of its motor, in N m
   double duty(std::size_t joint) const;           ///< of its motor, -1..1
   double reference(std::size_t joint) const { return servos_[joint].reference; }  ///< its command, radian
   double soleHeight(robot_model::Leg leg) const;  ///< lowest point of the foot over the floor, metres

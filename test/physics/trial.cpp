@@ -102,7 +102,6 @@ class Recorder {
         record_.commanded_speed = std::max(record_.commanded_speed, speed / robot_.highestSpeed(i));
       }
       references_[i] = robot_.reference(i);
-      torques_.push_back(std::abs(robot_.torque(i)));
       frames_at_full_duty_ += std::abs(robot_.duty(i)) >= 1 ? 1 : 0;
     }
     const LegJoints beyond = beyondLimits(robot_);
@@ -122,8 +121,7 @@ class Recorder {
     }
     record_.lowest_lift = quantile(lifts_, 0);
     record_.usual_lift = quantile(lifts_, 0.05);
-    record_.usual_torque = quantile(torques_, 0.99);
-    record_.at_full_duty = static_cast<double>(frames_at_full_duty_) / static_cast<double>(torques_.size());
+    record_.at_full_duty = static_cast<double>(frames_at_full_duty_) / (kLegJoints * frames_);
     record_.legs_touch = static_cast<double>(frames_of_touches_) / frames_;
     record_.ends = bench_.ends();
     record_.errors = bench_.errors();
@@ -182,7 +180,6 @@ class Recorder {
   int whole_steps_ = -1;
   std::array<double, robot_model::NUMBER_OF_LEGS> tops_ = {};
   std::vector<double> lifts_;
-  std::vector<double> torques_;
 };
 
 void pass(Bench& bench, double seconds) {
@@ -375,8 +372,8 @@ std::vector<std::string> problemsOf(const Record& record, bool on_level_ground) 
 }
 
 void printHeader(std::ostream& out) {
-  out << "                         forward mm/s  sideways mm/s   turn rad/s  tilt  lift mm     joint   torque full\n"
-         "                          said    is    said    is   said    is  deg   least usual  speed   N m   duty\n";
+  out << "                         forward mm/s  sideways mm/s   turn rad/s  tilt  lift mm     joint   full\n"
+         "                          said    is    said    is   said    is  deg   least usual  speed   duty\n";
 }
 
 void print(const std::string& name, const Record& record, std::ostream& out, bool on_level_ground) {
@@ -387,8 +384,7 @@ void print(const std::string& name, const Record& record, std::ostream& out, boo
   out << std::setprecision(2) << std::setw(7) << record.commanded[2] << std::setw(6) << record.walked[2]
       << std::setprecision(1) << std::setw(6) << record.highest_tilt * 180 / M_PI << std::setw(7)
       << 1000 * record.lowest_lift << std::setw(6) << 1000 * record.usual_lift << std::setprecision(2) << std::setw(7)
-      << record.highest_speed << std::setw(6) << record.usual_torque << std::setprecision(3) << std::setw(7)
-      << record.at_full_duty;
+      << record.highest_speed << std::setprecision(3) << std::setw(7) << record.at_full_duty;
   std::string separator = "  ";
   for (const std::string& problem : problemsOf(record, on_level_ground)) {
     out << separator << problem;

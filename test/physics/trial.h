@@ -31,7 +31,6 @@ struct Record {
   double usual_lift = 0;       ///< m; exceeded by 95 of 100 steps
   double highest_speed = 0;    ///< of a leg's joint, in parts of its limit
   double commanded_speed = 0;  ///< the same as commanded
-  double usual_torque = 0;     ///< N m; of a leg's motor, exceeded in 1 frame of 100
   double at_full_duty = 0;     ///< share of the legs' motors and frames
   double legs_touch = 0;       ///< share of the frames in which a leg touches another
   double beyond_limits = 0;    ///< radian; by how much a leg's joint was commanded out of its limits or couplings
