@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "sample_motion.h"
+#include "motion_tool/motion_tool.h"
 
 namespace {
 
@@ -55,7 +55,9 @@ class MotionFile : public ::testing::Test {
     return bytes.replace(place, size, little(value, size));
   }
 
-  const std::string sample_ = motion_tool::encodeMtn(sampleMotion());
+  const std::string sample_ = motion_tool::encodeMtn(motion_tool::parseTextForm(
+      "name SAMPLE\ncreator test\nrobot ERS-7\n"
+      "at 0 head_pan 0 head_tilt 0\nat 160 head_pan 5 head_tilt -3\nat 480 head_pan -11 head_tilt 17\n"));
 };
 
 // The bytes of a file in Sony's format, written by hand.

@@ -5,7 +5,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "sample_motion.h"
 #include "support/refusal.h"
 #include "support/temporary_folder.h"
 
@@ -85,7 +84,7 @@ TEST(TextForm, NamesTheEarsAndTheirStates) {
 }
 
 TEST(TextForm, SurvivesTheRoundTrip) {
-  KeyFrameMotion motion = sampleMotion();
+  KeyFrameMotion motion = parse("robot ERS-7\nat 0 head_pan 0 head_tilt 0\nat 160 head_pan 5 head_tilt -3\n");
   motion.key_frames[1].positions = {1234567, -7654};
   const std::string bytes = motion_tool::encodeMtn(motion);
   const std::string text = print(bytes);
@@ -95,7 +94,7 @@ TEST(TextForm, SurvivesTheRoundTrip) {
 }
 
 TEST(TextForm, PrintsNoControlCharacters) {
-  KeyFrameMotion motion = sampleMotion();
+  KeyFrameMotion motion = parse("robot ERS-7\nat 0 head_pan 0\n");
   motion.name = "#\x1b[2J\n#";
   EXPECT_THAT(print(motion_tool::encodeMtn(motion)), HasSubstr("name ??[2J??\n"));
 }
