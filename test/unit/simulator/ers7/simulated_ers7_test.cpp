@@ -198,7 +198,7 @@ TEST_F(SimulatedErs7Test, ButtonsAreReportedWhileTheyArePressed) {
   for (const std::string name : {"chin", "wlan_switch", "head_touch", "back_rear", "back_middle", "back_front"}) {
     const robot_model::Sensor& button = model_.sensors[robot_model::findSensorByName(model_, name.c_str())];
     for (const bool pressed : {true, false}) {
-      robot_.press(name, pressed);
+      obeyConsole(robot_, (pressed ? "press " : "release ") + name);
       pass(1);
       EXPECT_EQ(robot_model::isPressed(button, sensor(name), !pressed), pressed) << name;
     }
