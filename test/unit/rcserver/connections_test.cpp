@@ -63,34 +63,30 @@ TEST_F(ConnectionsTest, ClientsTurnedAwayThatDoNotCloseDoNotKeepOthersOut) {
 // What it has asked for after that waits, too.
 TEST_F(ConnectionsTest, ClientThatClosesWhileTheMemoryStickIsAtWorkLeavesItsPlaceAtOnce) {
   file_keeper_.slowDown();
-  const auto impatient = connectServed();
-  impatient->send(fileRequest('P', "NOD.MTN", 1));
-  machine_->runPending();
+  client_ = connectServed();
+  send(fileRequest('P', "NOD.MTN", 1));
   ASSERT_TRUE(file_keeper_.hasJob());
   for (int i = 0; i < 20; ++i) {
-    impatient->send(request('S', 1));
-    machine_->runPending();
+    send(request('S', 1));
   }
-  impatient->close();
-  machine_->runPending();
+  disconnect();
   auto next = connect();
   EXPECT_TRUE(isServed(*next));
 }
 
 TEST_F(ConnectionsTest, WhatComesWhileTheMemoryStickIsAtWorkIsAnsweredAfterwards) {
   file_keeper_.slowDown();
-  const auto client = connectServed();
-  client->send(fileRequest('P', "NOD.MTN", 1));
+  client_ = connectServed();
+  client_->send(fileRequest('P', "NOD.MTN", 1));
   constexpr int kRequests = 1000;  // more than fit into the buffer
   for (int i = 0; i < kRequests; ++i) {
-    client->send(kRefused);
-    machine_->runPending();
+    send(kRefused);
   }
-  EXPECT_FALSE(client->next());
+  EXPECT_FALSE(client_->next());
   file_keeper_.speedUp();
   takeImage();
   for (int i = 0; i < 1 + kRequests; ++i) {
-    ASSERT_TRUE(await(*client)) << i;
+    ASSERT_TRUE(await(*client_)) << i;
   }
 }
 
@@ -123,10 +119,9 @@ TEST_F(StrangersTest, AreAbortedBeforeAByteIsHandledAndOthersAreServed) {
     EXPECT_EQ(stranger->received(), "") << bytes;
     passFrames(130);
     EXPECT_EQ(positions(), before) << bytes;
-    auto client = connectServed();
-    EXPECT_FALSE(client->ended()) << bytes;
-    client->close();
-    machine_->runPending();
+    client_ = connectServed();
+    EXPECT_FALSE(client_->ended()) << bytes;
+    disconnect();
   }
 }
 
@@ -149,8 +144,8 @@ TEST_F(StrangersTest, AreCountedOnTheConsoleOnceAMinute) {
 
 TEST_F(ConnectionsTest, ClientsThatComeAndGoAreReportedOnceASecondAfterAFew) {
   for (int i = 0; i < 100; ++i) {
-    connectServed()->close();
-    machine_->runPending();
+    client_ = connectServed();
+    disconnect();
   }
   EXPECT_GE(timesSaid("is connected"), ReportLimit::BURST / 2 - 1);
   EXPECT_LT(timesSaid("\n"), ReportLimit::BURST + 10);

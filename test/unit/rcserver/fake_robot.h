@@ -54,7 +54,6 @@ class FakeRobot : public openr_host::VirtualRobot {
   struct FakeLed {
     int intensity = 0;  ///< of one that is only on or off: 0 or 1
     int mode = 0;
-    int commands = 0;  ///< received
   };
 
   struct FakeEar {
@@ -340,7 +339,6 @@ class FakeRobot : public openr_host::VirtualRobot {
       ear.drawn = value.value == ojoint4_STATE1;
     } else {
       FakeLed& led = leds.at(command.primitive - kFirstLed);
-      ++led.commands;
       if (command.type == odataLED_COMMAND2) {
         led.intensity = static_cast<int>(valueOf<OLEDCommandValue2>(command).led);
       } else {

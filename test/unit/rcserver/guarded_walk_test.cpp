@@ -62,14 +62,8 @@ class GuardedWalkTest : public FakeRobotFixture {
       if (next.header.kind == END_PUSH) {
         last_end_ = textOf(next);
       } else if (next.header.kind == TELEMETRY_PUSH && next.header.request_number == 0) {
-        const auto telemetry = payloadIn<Telemetry>(next);
-        walked_ = 0;
-        for (size_t i = 0; i < telemetry.count; ++i) {
-          const TelemetryEntry& entry = telemetry.entries[i];
-          if (entry.group == GROUP_WALK && (entry.id == WALK_FORWARD || entry.id == WALK_LEFT)) {
-            walked_ = std::hypot(walked_, entry.value * 1e-6);
-          }
-        }
+        std::map<int, int> values = valuesIn(next, GROUP_WALK);
+        walked_ = std::hypot(values[WALK_FORWARD], values[WALK_LEFT]) * 1e-6;
       }
     }
   }

@@ -24,27 +24,30 @@ inline int quantizerFor(int quality) {
   return std::max(1, (16 * scale + 50) / 100);
 }
 
-struct Brightness {
+/// Of a decoded picture, at full resolution, chroma too.
+struct Decoded {
   int width = 0;
   int height = 0;
-  int level = -1;
-  int bottom = -1;  ///< level of the last row
+  int subsampling = -1;
+  int colorspace = -1;
+  std::vector<uint8_t> rgb;
+
+  int level() const { return rgb[static_cast<size_t>(3 * (height / 2 * width))]; }  ///< of a grey one, in the middle
+  int bottom() const { return rgb.back(); }                                         ///< in the last row
 };
 
-inline Brightness brightnessOf(const std::vector<uint8_t>& jpeg) {
+inline Decoded decodeJpeg(const std::vector<uint8_t>& jpeg) {
   const std::unique_ptr<void, int (*)(tjhandle)> handle(tjInitDecompress(), tjDestroy);
-  Brightness brightness;
-  int subsampling = 0;
-  int colorspace = 0;
-  tjDecompressHeader3(handle.get(), jpeg.data(), jpeg.size(), &brightness.width, &brightness.height, &subsampling,
-                      &colorspace);
-  std::vector<uint8_t> gray(static_cast<size_t>(brightness.width * brightness.height));
-  if (tjDecompress2(handle.get(), jpeg.data(), jpeg.size(), gray.data(), brightness.width, 0, brightness.height,
-                    TJPF_GRAY, TJFLAG_STOPONWARNING) == 0) {
-    brightness.level = gray[static_cast<size_t>(brightness.height / 2 * brightness.width)];
-    brightness.bottom = gray.back();
-  }
-  return brightness;
+  Decoded decoded;
+  EXPECT_EQ(tjDecompressHeader3(handle.get(), jpeg.data(), jpeg.size(), &decoded.width, &decoded.height,
+                                &decoded.subsampling, &decoded.colorspace),
+            0);
+  decoded.rgb.resize(static_cast<size_t>(3 * decoded.width * decoded.height));
+  EXPECT_EQ(tjDecompress2(handle.get(), jpeg.data(), jpeg.size(), decoded.rgb.data(), decoded.width, 0, decoded.height,
+                          TJPF_RGB, TJFLAG_STOPONWARNING),
+            0)
+      << tjGetErrorStr2(handle.get());
+  return decoded;
 }
 
 #endif  // TEST_UNIT_RCSERVER_PICTURE_CHECKS_H

@@ -13,8 +13,8 @@ class PicturesTest : public Version2Fixture {
 
   void expectPictureOfImage(const Frame& picture, unsigned image) {
     EXPECT_EQ(imageCount(picture), image);
-    EXPECT_NEAR(brightnessOf(pictureIn(picture).jpeg).level, FakeRobot::brightness(image), 3);
-    EXPECT_NEAR(brightnessOf(pictureIn(picture).jpeg).bottom, FakeRobot::brightness(image), 3);
+    EXPECT_NEAR(decodeJpeg(pictureIn(picture).jpeg).level(), FakeRobot::brightness(image), 3);
+    EXPECT_NEAR(decodeJpeg(pictureIn(picture).jpeg).bottom(), FakeRobot::brightness(image), 3);
   }
 };
 
@@ -119,7 +119,7 @@ TEST_F(TimingTest, AMotionTelemetryAndTheStreamKeepTheirRatesWhileThePictureEnco
       ++counts[next.header.kind];
       if (next.header.kind == 'f') {
         const Picture picture = pictureIn(next);
-        EXPECT_NEAR(brightnessOf(picture.jpeg).level, FakeRobot::brightness(picture.image.image_count), 3);
+        EXPECT_NEAR(decodeJpeg(picture.jpeg).level(), FakeRobot::brightness(picture.image.image_count), 3);
       }
     }
   }

@@ -8,6 +8,7 @@
 
 #include <cctype>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -121,6 +122,18 @@ Payload payloadIn(const Frame& frame) {
   Payload payload = {};
   EXPECT_EQ(decode(frame.payload.data(), frame.payload.size(), &payload), nullptr);
   return payload;
+}
+
+/// The values of a group in telemetry, by their ids.
+inline std::map<int, int> valuesIn(const Frame& frame, int group) {
+  const auto telemetry = payloadIn<protocol::version2::Telemetry>(frame);
+  std::map<int, int> values;
+  for (size_t i = 0; i < telemetry.count; ++i) {
+    if (telemetry.entries[i].group == group) {
+      values[telemetry.entries[i].id] = telemetry.entries[i].value;
+    }
+  }
+  return values;
 }
 
 inline Picture pictureIn(const Frame& frame) {

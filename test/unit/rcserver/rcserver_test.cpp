@@ -25,7 +25,7 @@ class RCServerTest : public FakeRobotFixture {
     const std::optional<Reply> reply = await(client);
     ASSERT_TRUE(reply && reply->letter == protocol::REPLY_PICTURE);
     EXPECT_EQ(quantizerOf(reply->jpeg), quantizerFor(quality));
-    EXPECT_NEAR(brightnessOf(reply->jpeg).level, FakeRobot::brightness(robot_.lastImage()), 3);
+    EXPECT_NEAR(decodeJpeg(reply->jpeg).level(), FakeRobot::brightness(robot_.lastImage()), 3);
     machine_->runPending();
   }
 
@@ -63,13 +63,12 @@ const Cell kCells[] = {
 TEST_F(RCServerTest, SendsPicturesAsInTheTable) {
   for (const Cell& cell : kCells) {
     SCOPED_TRACE(cell.before + ", " + cell.event);
-    const auto client = connectServed();
-    ask(*client, cell.before + cell.event);
+    client_ = connectServed();
+    ask(*client_, cell.before + cell.event);
     for (const int quality : cell.qualities) {
-      quality > 0 ? expectPictureOfNextImage(*client, quality) : expectNoPictureOfNextImage(*client);
+      quality > 0 ? expectPictureOfNextImage(*client_, quality) : expectNoPictureOfNextImage(*client_);
     }
-    client->close();
-    machine_->runPending();
+    disconnect();
   }
 }
 
@@ -92,7 +91,7 @@ TEST_F(RCServerTest, PictureRequestsBeyondTheLimitAreAnsweredByAnError) {
 }
 
 TEST_F(RCServerTest, UnknownRequestsAreAnsweredByErrorZero) {
-  auto client = connectServed();
+  client_ = connectServed();
   for (const std::string& bytes :
        {request('X', 3), request('J', 0), request('J', 9) + "ab", request('S', 10), request('V', 0), request('A', 60),
         request('L', 27, 1), request('K', 0, 2), request('K', 3, 1), request('S', 0, 1), request('Q', 0) + "ab",
@@ -101,14 +100,8 @@ TEST_F(RCServerTest, UnknownRequestsAreAnsweredByErrorZero) {
         // of version 2 alone
         request('B', 0), request('E', 1), request('G', 1), request('H', 0), request('I', 0), request('M', 85),
         request('N', 0), request('O', 1), request('T', 0), request('Z', 0)}) {
-    client->send(bytes);
-    const std::optional<Reply> reply = await(*client);
-    ASSERT_TRUE(reply) << bytes;
-    EXPECT_EQ(reply->letter, 'e') << bytes;
-    EXPECT_EQ(reply->value.identifier, 0) << bytes;
-    EXPECT_EQ(reply->value.value, protocol::ERROR_REFUSED) << bytes;
-    machine_->runPending();
-    EXPECT_FALSE(client->next()) << "a second answer to " << bytes;
+    expectError(bytes);
+    EXPECT_FALSE(client_->next()) << "a second answer to " << bytes;
   }
 }
 

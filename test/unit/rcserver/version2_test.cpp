@@ -179,7 +179,7 @@ TEST_F(Version2Test, EachPictureRequestGetsItsOwnPictureEvenDuringAStream) {
     EXPECT_EQ(picture.image.image_count, robot_.lastImage());
     EXPECT_EQ(picture.image.frame_number, clock_.frame());
     EXPECT_EQ(quantizerOf(picture.jpeg), quantizerFor(quality));
-    EXPECT_NEAR(brightnessOf(picture.jpeg).level, FakeRobot::brightness(robot_.lastImage()), 3);
+    EXPECT_NEAR(decodeJpeg(picture.jpeg).level(), FakeRobot::brightness(robot_.lastImage()), 3);
   }
 }
 
@@ -192,13 +192,13 @@ TEST_F(Version2Test, PicturesOfAllLayersHaveTheirSizes) {
     send(frame('F', 85, 5, pictureOf(layer)));
     takeImage();
     const Picture picture = nextPicture();
-    const Brightness shown = brightnessOf(picture.jpeg);
+    const Decoded shown = decodeJpeg(picture.jpeg);
     EXPECT_EQ(picture.image.layer, layer);
     EXPECT_EQ(picture.image.width, width);
     EXPECT_EQ(picture.image.height, height);
     EXPECT_EQ(shown.width, width);
     EXPECT_EQ(shown.height, height);
-    EXPECT_NEAR(shown.level, FakeRobot::brightness(robot_.lastImage()), 3);
+    EXPECT_NEAR(shown.level(), FakeRobot::brightness(robot_.lastImage()), 3);
   }
 }
 
@@ -224,7 +224,7 @@ TEST_F(Version2Test, PictureThatIsTooLargeForAFrameHasALowerQuality) {
   const Picture picture = nextPicture();
   EXPECT_EQ(picture.image.quality, 25);
   EXPECT_EQ(picture.frame.id, 25);
-  EXPECT_EQ(brightnessOf(picture.jpeg).width, 416);
+  EXPECT_EQ(decodeJpeg(picture.jpeg).width, 416);
   EXPECT_EQ(quantizerOf(picture.jpeg), quantizerFor(25));
 }
 

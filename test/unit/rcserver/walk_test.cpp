@@ -47,14 +47,7 @@ class WalkTest : public Version2Fixture {
   std::map<int, int> walkInTelemetry() const {
     const auto newest = std::find_if(frames_.rbegin(), frames_.rend(),
                                      [](const Frame& next) { return next.header.kind == TELEMETRY_PUSH; });
-    const auto telemetry = payloadIn<Telemetry>(*newest);
-    std::map<int, int> values;
-    for (size_t i = 0; i < telemetry.count; ++i) {
-      if (telemetry.entries[i].group == GROUP_WALK) {
-        values[telemetry.entries[i].id] = telemetry.entries[i].value;
-      }
-    }
-    return values;
+    return valuesIn(*newest, GROUP_WALK);
   }
 
   // It stands at once with joints at 0, and rises from there.

@@ -180,13 +180,10 @@ TEST_F(Walk, HasTheVelocityThatItIsSteeredWithAndEndsInTheStand) {
   EXPECT_TRUE(walker().TakeVelocity().isZero());
 }
 
-TEST_F(Walk, IsWithinTheLimitsOfTheRobot) {
-  const GaitParameters& gait = walker().Parameters();
+TEST_F(Walk, IsATrotWhileItIsGuarded) {
   steer(kAhead);
-  EXPECT_DOUBLE_EQ(joints.Steer({9, 0, 0}).forward, gait.fastest);
-  EXPECT_DOUBLE_EQ(joints.Steer({9, 0, 0}, true).forward, gait.highest.forward) << "guarded";
-  EXPECT_DOUBLE_EQ(joints.Steer({-9, 0, 0}).forward, -gait.highest.back);
-  EXPECT_DOUBLE_EQ(joints.Steer({gait.highest.forward, 0, gait.highest.turn}).turn, gait.highest.turn / 2);
+  EXPECT_DOUBLE_EQ(joints.Steer({9, 0, 0}).forward, walker().Parameters().fastest);
+  EXPECT_DOUBLE_EQ(joints.Steer({9, 0, 0}, true).forward, walker().Parameters().highest.forward);
 }
 
 TEST_F(Walk, EndsInTheStandIfItIsNotSteeredForHalfASecond) {
