@@ -14,11 +14,9 @@ using aibo_client::EndedHow;
 namespace {
 
 using std::chrono::duration;
-using std::chrono::milliseconds;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using ::testing::SizeIs;
 
 constexpr int kPan = 2;
 constexpr int kMouth = 4;
@@ -50,7 +48,7 @@ class JointPlanTest : public ::testing::Test {
   }
 
   MovementId add(const TrajectoryRequest& request, double start, double now, const Arrival& arrival = measured()) {
-    plan_.add(++last_id_, request, arrival, at(start), at(now), milliseconds(300));
+    plan_.add(++last_id_, request, arrival, at(start), at(now), std::chrono::milliseconds(300));
     advance(now);
     return last_id_;
   }
@@ -289,8 +287,8 @@ TEST_F(JointPlanTest, HoldsAJointOfATrajectoryWhereItWasSent) {
   run(0, 0.32);
   const JointTargets targets = plan_.holdingTargets(at(0.34));
   EXPECT_NEAR(targets.at(kPan).position, sent_[kPan], 1e-9) << "not back to where it is";
-  EXPECT_THAT(targets, SizeIs(2));
-  EXPECT_THAT(plan_.holdingTargets(at(0.34), mouth), SizeIs(1));
+  EXPECT_THAT(targets, testing::SizeIs(2));
+  EXPECT_THAT(plan_.holdingTargets(at(0.34), mouth), testing::SizeIs(1));
   EXPECT_THAT(plan_.holdingTargets(at(0.34), head), ElementsAre(testing::Key(kPan)));
 }
 
@@ -339,7 +337,7 @@ TEST_F(JointPlanTest, IsDoneWhereEachJointIsWithin50MilliradiansOfItsTarget) {
 TEST_F(JointPlanTest, KeepsToTheTolerancesAndTheGraceOfATrajectory) {
   Arrival strict = measured();
   strict.tolerances["head_pan"].position = 0.001;
-  strict.grace = milliseconds(200);
+  strict.grace = std::chrono::milliseconds(200);
   const auto followed = add(pan({{1, {0.5}, {}}}), 0, 0, strict);
   follow(0, 0.992);
   run(1.024, 1.3, 0.502);

@@ -4,8 +4,6 @@
 
 namespace aibo_driver::movement {
 
-using aibo_client::Telemetry;
-
 namespace {
 
 using std::chrono::milliseconds;
@@ -15,8 +13,9 @@ constexpr int kHeadPan = 2;
 
 class MeasuredJointsTest : public ::testing::Test {
  protected:
-  static Telemetry telemetry(std::optional<std::uint32_t> frame_number, milliseconds arrival, double position) {
-    Telemetry result;
+  static aibo_client::Telemetry telemetry(std::optional<std::uint32_t> frame_number, milliseconds arrival,
+                                          double position) {
+    aibo_client::Telemetry result;
     result.frame_number = frame_number;
     result.arrival = std::chrono::steady_clock::time_point(arrival);
     result.joints = {{99, 0.5}, {1, -0.2, 0.1}, {kHeadPan, position, position / 2}, {4, -0.4, 0.3}};

@@ -12,9 +12,7 @@ namespace {
 using aibo_client::CommandException;
 using aibo_client::EndedHow;
 using aibo_client::EndedKind;
-using aibo_client::FaultKind;
 using aibo_client::MotorState;
-using aibo_client::NetworkException;
 using aibo_client::Posture;
 using aibo_client::PostureNow;
 using aibo_client::RefusalCause;
@@ -29,7 +27,6 @@ using ::testing::SizeIs;
 using ::testing::StartsWith;
 using namespace std::chrono_literals;
 using Kind = Movement::Kind;
-using std::chrono::milliseconds;
 
 constexpr int kHeadPan = 2;  // its identifier
 constexpr const char* kLetGo = "; let go first: 0, or nothing for 0.5 s";
@@ -45,7 +42,7 @@ std::string textOf(const Mover::Answer& begun) {
 }
 
 [[noreturn]] void doNotAnswer() {
-  throw TimeoutException("no answer within 2000 ms.", FaultKind::kNone, true);
+  throw TimeoutException("no answer within 2000 ms.", aibo_client::FaultKind::kNone, true);
 }
 
 std::vector<std::string> withoutSpeedLimits(std::vector<std::string> told) {
@@ -77,7 +74,7 @@ struct Robot {
     }
     measured.update(telemetry);
   }
-  void pass(milliseconds time, double pan = 0) {
+  void pass(std::chrono::milliseconds time, double pan = 0) {
     for (const SteadyTime end = now + time; now < end; mover.advance()) {
       now += JointPlan::kPeriod;
       measure(pan);
@@ -502,7 +499,7 @@ TEST(Stop, OfEachMovementIsTheLastThatIsSentUntilRelease) {
 TEST(Stop, ThatDoesNotReachTheRobotRefusesOrdersAllTheSame) {
   const std::pair<const char*, std::function<void()>> rows[] = {
       {"UNKNOWN /panel called stop, but no answer within 2000 ms", doNotAnswer},
-      {"LOST there is no robot", [] { throw NetworkException("there is no robot."); }}};
+      {"LOST there is no robot", [] { throw aibo_client::NetworkException("there is no robot."); }}};
   for (const auto& [end, fail] : rows) {
     Robot robot;
     const auto moving = robot.command("head_pan", 0.5);
@@ -646,7 +643,7 @@ TEST(Motion, ThatDoesNotBeginEndsByWhatTheClientReports) {
         {"STOPPED a stop", [&](Robot& robot) { robot.refuses(request, RefusalCause::kStopped, "a stop"); },
          [] { throw CommandException("a stop."); }},
         {"LOST", [](Robot& robot) { robot.mover.disconnected(); },
-         [] { throw NetworkException("it broke.", FaultKind::kNone, true); }},
+         [] { throw aibo_client::NetworkException("it broke.", aibo_client::FaultKind::kNone, true); }},
         {"DONE", [](Robot& robot) { robot.ends(EndedKind::kUnknown, EndedHow::kDone); }, [] {}},
         {"-", [](Robot&) {}, doNotAnswer}};  // it may begin or not
     for (const auto& row : rows) {
@@ -696,7 +693,7 @@ TEST(Trajectory, IsRefusedUnlessItsJointsAreMeasured) {
   const struct {
     const char* end;
     int version;
-    milliseconds age;
+    std::chrono::milliseconds age;
   } rows[] = {
       {"-", 2, 300ms},
       {"REFUSED head_pan was last measured 0.4 s ago", 2, 400ms},

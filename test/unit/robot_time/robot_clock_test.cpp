@@ -2,14 +2,10 @@
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdint>
 #include <optional>
 #include <random>
-#include <utility>
-#include <vector>
 
 namespace aibo_driver::robot_time {
 namespace {

@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <limits>
-
 namespace aibo_driver::text {
 namespace {
 

@@ -2,9 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <string>
-#include <vector>
-
 #include "text/sentence.h"
 
 namespace aibo_driver::text {

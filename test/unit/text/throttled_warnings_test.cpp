@@ -2,12 +2,9 @@
 
 #include <gmock/gmock.h>
 
-#include <vector>
-
 namespace aibo_driver::text {
 namespace {
 
-using testing::ElementsAre;
 using testing::SizeIs;
 
 class ThrottledWarningsTest : public testing::Test {
@@ -22,8 +19,8 @@ TEST_F(ThrottledWarningsTest, TheSameIsLoggedOnceWhateverNumbersAreInIt) {
     warnings_.warn("LED face_1 cannot shine with intensity " + std::to_string(i * 1.5) + ", which is not 0..1.");
     warnings_.warn("LED face_2 cannot shine with intensity -" + std::to_string(i) + ", which is not 0..1.");
   }
-  EXPECT_THAT(logged_, ElementsAre("LED face_1 cannot shine with intensity 0.000000, which is not 0..1.",
-                                   "LED face_2 cannot shine with intensity -0, which is not 0..1."));
+  EXPECT_THAT(logged_, testing::ElementsAre("LED face_1 cannot shine with intensity 0.000000, which is not 0..1.",
+                                            "LED face_2 cannot shine with intensity -0, which is not 0..1."));
 }
 
 TEST_F(ThrottledWarningsTest, WhatIsRepeatedAllTheTimeIsLoggedOnceInEachPeriod) {
