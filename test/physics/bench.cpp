@@ -34,8 +34,8 @@ void Bench::connect() {
   const protocol::BasicGetCommand ask = version2::versionRequest();
   client_->send({ask.command, static_cast<char>(ask.identifier)});
   const bool agreed = machine_->runUntil([this] {
-    const auto answer = client_->take(protocol::VALUE_REPLY_SIZE);
-    return !answer.empty() && version2::agreesToVersion2(protocol::decodeValueReply(answer.data()));
+    const auto answer = client_->next();
+    return answer && version2::agreesToVersion2(answer->value);
   });
   if (!agreed) {
     throw std::runtime_error("the server does not answer");

@@ -72,19 +72,6 @@ TEST(Walk, GoesInAllDirectionsOnManyRobotsAndFloors) {
   }
 }
 
-TEST(Walk, GoesStraightAheadAndBackForLong) {
-  const auto limits = physics::walkLimits();
-  for (const double forward : {limits.forward, 0.2, 0.2 / 3, -limits.back, -limits.back / 3}) {
-    const Record record = physics::walk(World(), physics::always({forward, 0, 0}), 45);
-    SCOPED_TRACE(forward);
-    expectNoHarm(record);
-    EXPECT_NEAR(record.gain[0], 1, 0.1);
-    EXPECT_LT(std::abs(record.walked[2]), 0.03);
-    EXPECT_GT(record.usual_lift, 0.006);
-    EXPECT_LT(record.legs_touch, 0.005);
-  }
-}
-
 TEST(Walk, KeepsItsBalanceOnSlopes) {
   for (const std::size_t floor : {4U, 5U}) {  // 6 degrees up and to the left
     std::vector<double> missing;
