@@ -88,16 +88,6 @@ EffectorCommand faceCommand(OPrimitiveID id, int intensity) {
   return effectorCommand(id, odataLED_COMMAND3, OLEDCommandValue3{static_cast<sword>(intensity), oled3_MODE_B, 1, 0});
 }
 
-TEST_F(SimulatedErs7Test, APrimitiveStaysOpenUntilItIsClosedAsOftenAsOpened) {
-  const OPrimitiveID camera = open(kCameraLocator);
-  EXPECT_EQ(open(kCameraLocator), camera);
-  EXPECT_EQ(robot_.closePrimitive(camera), oSUCCESS);
-  EXPECT_EQ(control(camera, oprmreqCAM_SET_GAIN, 3), oSUCCESS);
-  EXPECT_EQ(robot_.closePrimitive(camera), oSUCCESS);
-  EXPECT_EQ(control(camera, oprmreqCAM_SET_GAIN, 3), oINVALID_PRIMITIVE_ID);
-  EXPECT_EQ(robot_.closePrimitive(camera), oINVALID_PRIMITIVE_ID);
-}
-
 TEST_F(SimulatedErs7Test, CallsForClosedPrimitivesOrOthersThanMeantAreRefused) {
   EffectorCommand led = jointCommand(drive("head_pan"), 100000);
   led.type = odataLED_COMMAND2;

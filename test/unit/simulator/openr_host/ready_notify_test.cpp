@@ -48,17 +48,7 @@ class ReadyNotifyTest : public testing::Test {
   std::vector<std::string> other_received_;
 };
 
-// Level2 Reference Guide, page 18: NotifyObservers() keeps data for an observer that is in neither state.
-TEST_F(ReadyNotifyTest, DataForAnObserverThatHasSaidNothingIsKeptUntilItIsReady) {
-  boot();
-  notify("kept");
-  test_.run();
-  EXPECT_THAT(received_, testing::IsEmpty());
-  assertReady(receiver_);
-  EXPECT_THAT(received_, ElementsAre("kept"));
-}
-
-// Page 27: "max" is 1 unless set, and then only the last notification is held.
+// Level2 Reference Guide, page 27: "max" is 1 unless set, and then only the last notification is held.
 TEST_F(ReadyNotifyTest, OneAssertReadyLetsOneNotificationThroughAndTheNewestOfTheOthersIsKept) {
   boot();
   assertReady(receiver_);
@@ -72,7 +62,7 @@ TEST_F(ReadyNotifyTest, OneAssertReadyLetsOneNotificationThroughAndTheNewestOfTh
   test_.as(sender_, [&] { EXPECT_FALSE(sender_.subject().IsReady()); });
 }
 
-// Level2 Reference Guide, pages 18 and 22.
+// Level2 Reference Guide, pages 18 and 22. Data is kept for an observer that has said nothing yet.
 TEST_F(ReadyNotifyTest, DataForAnObserverThatWantsNoneIsDeletedIncludingKeptData) {
   boot();
   notify("kept");
