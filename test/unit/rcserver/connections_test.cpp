@@ -92,8 +92,7 @@ TEST_F(ConnectionsTest, WhatComesWhileTheMemoryStickIsAtWorkIsAnsweredAfterwards
 
 // What would switch to version 2 and move a joint, and shut the robot down.
 std::string commands() {
-  return request('X', 2) + frame('J', 0, 1, order(std::string("\0\0\1\0\x34\0\0\0\0\x0d\xbb\xa0", 12))) +
-         frame('Q', 0, 2) + request('Q', 0, 0);
+  return request('X', 2) + frame('J', 0, 1, order(targetsOf({{52, 900000}}))) + frame('Q', 0, 2) + request('Q', 0, 0);
 }
 
 std::string webPage(const std::string& method) {

@@ -35,9 +35,8 @@ class NewcomersTest : public Version2Fixture {
   }
 
   bool isAgreedToVersion2(TestClient& client) {
-    const std::vector<uint8_t> reply = client.take(protocol::VALUE_REPLY_SIZE);
-    return reply.size() == protocol::VALUE_REPLY_SIZE &&
-           protocol::version2::agreesToVersion2(protocol::decodeValueReply(reply.data()));
+    const std::optional<Reply> reply = client.next();
+    return reply && protocol::version2::agreesToVersion2(reply->value);
   }
 };
 

@@ -20,10 +20,6 @@ using ::testing::StartsWith;
 constexpr int kHeadPanId = 2;
 constexpr int kKneeId = 13;  // left_front_knee
 
-std::string target(int joint, int position = 300000) {
-  return payloadOf(JointTargets{0, 1, {{static_cast<unsigned char>(joint), position}}});
-}
-
 std::string velocity(int forward) {
   return payloadOf(SteeringReply{{forward * 1e-3, 0, 0}, 0});
 }
@@ -35,8 +31,8 @@ struct Asked {
   std::string payload;
 };
 
-const Asked kMovePan = {'J', 0, order(target(kHeadPanId))};
-const Asked kMoveKnee = {'J', 0, order(target(kKneeId, 500000))};
+const Asked kMovePan = {'J', 0, order(targetsOf({{kHeadPanId, 300000}}))};
+const Asked kMoveKnee = {'J', 0, order(targetsOf({{kKneeId, 500000}}))};
 const Asked kHoldAll = {'I', HOLD_EVERYTHING, ""};
 const Asked kHoldKnee = {'I', HOLD_JOINTS, {1, kKneeId}};
 const Asked kHoldPan = {'I', HOLD_JOINTS, {1, kHeadPanId}};
@@ -180,7 +176,7 @@ TEST_F(OrdersTest, AreAllToldToAClientThatReadsSlowly) {
   std::string requests;
   std::vector<std::string> expected;
   for (int i = 0; i < robot_.model.number_of_joints; ++i) {
-    requests += frame('J', 0, i + 1, order(target(robot_.model.joints[i].identifier, -400000)));
+    requests += frame('J', 0, i + 1, order(targetsOf({{robot_.model.joints[i].identifier, -400000}})));
     expected.push_back("i" + std::to_string(i + 1) + " 2");
   }
   send(requests + frame('I', HOLD_EVERYTHING, 100));
@@ -268,7 +264,7 @@ TEST(FrameClock, NeverGoesBackAndGoesOnWhenNoFrameIsReported) {
 }
 
 TEST_F(OrdersTest, AreRefusedWhenTheyAreTooOldButForThoseThatStop) {
-  const std::string on_pan = target(kHeadPanId);
+  const std::string on_pan = targetsOf({{kHeadPanId, 300000}});
   const std::tuple<char, int, std::string> kinds[] = {{'J', 0, on_pan},
                                                       {'S', 0, velocity(100)},
                                                       {'E', POSTURE_SIT, ""},

@@ -111,7 +111,7 @@ TEST_F(TimingTest, AMotionTelemetryAndTheStreamKeepTheirRatesWhileThePictureEnco
   const int wanted = 1000000;
   std::vector<int>& path = robot_.joint("head_pan").path;
   path.clear();
-  send(frame('J', 0, 1000, order(payloadOf(protocol::version2::JointTargets{2000, 1, {{2, wanted}}}))));
+  send(frame('J', 0, 1000, order(targetsOf({{2, wanted}}, 2000))));
   std::map<char, int> counts;
   for (unsigned i = 0; i < 2 * kFramesASecond; ++i) {
     passFrames(1);

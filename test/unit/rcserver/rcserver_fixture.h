@@ -91,6 +91,15 @@ inline std::string order(const std::string& payload = {}, unsigned not_after = p
   return payloadOf(protocol::version2::PostureOrder{not_after}) + payload;
 }
 
+/// Targets by the identifiers of joints, as in `J`.
+inline std::string targetsOf(const std::vector<std::pair<int, int>>& joints, unsigned short duration_ms = 0) {
+  protocol::version2::JointTargets targets = {duration_ms, static_cast<unsigned char>(joints.size()), {}};
+  for (size_t i = 0; i < joints.size(); ++i) {
+    targets.joints[i] = {static_cast<unsigned char>(joints[i].first), joints[i].second};
+  }
+  return payloadOf(targets);
+}
+
 /// The payload of `P` in version 2.
 inline std::string playPayload(const std::string& name, int repetitions,
                                unsigned not_after = protocol::version2::NEVER_TOO_OLD) {

@@ -23,10 +23,6 @@ std::string literal(const char (&characters)[size]) {
   return {characters, size - 1};
 }
 
-std::string targetsOf(unsigned char joint, int position, unsigned char other = 0) {
-  return payloadOf(JointTargets{0, static_cast<unsigned char>(other == 0 ? 1 : 2), {{joint, position}, {other, 0}}});
-}
-
 std::string limitsOf(unsigned char joint, int limit) {
   return payloadOf(SpeedLimits{2, {{1, 1000000}, {joint, limit}}});
 }
@@ -57,8 +53,8 @@ struct AnsweredRequest {
 // H, F, M, Q and R, whose replies depend on more, are below and in other files.
 const AnsweredRequest kAnswered[] = {
     {'W', 255, payloadOf(StreamSettings{true, LAYER_MIDDLE, 3}), 85, payloadOf(StreamSettings{true, LAYER_MIDDLE, 3})},
-    {'J', 0, order(targetsOf(2, 500000)), 0, targetsOf(2, 500000)},
-    {'J', 0, order(targetsOf(2, 2000000000)), 0, targetsOf(2, 1535890)},
+    {'J', 0, order(targetsOf({{2, 500000}})), 0, targetsOf({{2, 500000}})},
+    {'J', 0, order(targetsOf({{2, 2000000000}})), 0, targetsOf({{2, 1535890}})},
     {'V', 0, payloadOf(SpeedLimits{1, {{1, 2000000000}}}), 0, payloadOf(SpeedLimits{1, {{1, 3185226}}})},
     {'T', TELEMETRY_WITH_DUTY, literal("\0\5"), TELEMETRY_WITH_DUTY, literal("\0\10")},
     {'T', 4, literal("\0\4"), 0, literal("\0\4")},  // a bit of the future
@@ -112,9 +108,9 @@ const RefusedRequest kRefusals[] = {
     {'W', 85, literal("\1\3\0\1"), CODE_NOT_SUPPORTED, "double"},
     {'W', 85, literal("\0\0\0\0"), CODE_REFUSED, "interval is 0"},
     {'J', 0, "abc", CODE_REFUSED, "bad request"},
-    {'J', 0, order(targetsOf(2, 500000, 99)), CODE_REFUSED, "no joint 99"},
-    {'J', 0, order(targetsOf(99, 0, 2)), CODE_REFUSED, "no joint 99"},
-    {'J', 0, order(targetsOf(2, 1, 2)), CODE_REFUSED, "twice"},
+    {'J', 0, order(targetsOf({{2, 500000}, {99, 0}})), CODE_REFUSED, "no joint 99"},
+    {'J', 0, order(targetsOf({{99, 0}, {2, 0}})), CODE_REFUSED, "no joint 99"},
+    {'J', 0, order(targetsOf({{2, 1}, {2, 0}})), CODE_REFUSED, "twice"},
     {'V', 0, "abc", CODE_REFUSED, "bad request"},
     {'V', 0, limitsOf(99, 1), CODE_REFUSED, "no joint 99"},
     {'V', 0, limitsOf(2, 0), CODE_REFUSED, "above 0"},

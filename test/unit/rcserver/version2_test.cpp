@@ -28,16 +28,6 @@ std::string stream(bool on, Layer layer = LAYER_HIGH, unsigned short every_nth_i
   return payloadOf(StreamSettings{on, layer, every_nth_image});
 }
 
-using Values = std::vector<std::pair<unsigned char, int>>;
-
-std::string targets(const Values& joints, unsigned short duration = 0) {
-  JointTargets targets = {duration, static_cast<unsigned char>(joints.size()), {}};
-  for (size_t i = 0; i < joints.size(); ++i) {
-    targets.joints[i] = {joints[i].first, joints[i].second};
-  }
-  return order(payloadOf(targets));
-}
-
 std::string period(unsigned short frames) {
   return payloadOf(TelemetryPeriod{frames});
 }
@@ -113,7 +103,7 @@ TEST_F(Version2Test, ClientSilentForFiveSecondsIsDroppedAndItsJointsHold) {
     hello();
     passFrames(125);
   }
-  send(frame('J', 0, 1, targets({{kPanId, 1000000}}, 60000)));
+  send(frame('J', 0, 1, order(targetsOf({{kPanId, 1000000}}, 60000))));
   passFrames(620);
   EXPECT_FALSE(client_->ended());
   passFrames(9);
@@ -297,7 +287,7 @@ TEST_F(Version2Test, JointThatGetsNoGainIsNamed) {
 }
 
 TEST_F(Version2Test, JointsMovedByHandStayThereWhenTheMotorsGoOn) {
-  answerTo('J', 0, targets({{kPanId, 1000000}}));
+  answerTo('J', 0, order(targetsOf({{kPanId, 1000000}})));
   passFrames(10);
   motorsAfter(std::string(1, '\0'));
   passFrames(kUntilMeasured);
@@ -326,7 +316,7 @@ TEST_F(Version2Test, AHoldStopsTheJointsNamedOrAll) {
     passFrames(40);
     return positionOf(joint) != before;
   };
-  answerTo('J', 0, targets({{kPanId, 1500000}, {kTailPanId, -700000}}, 4000));
+  answerTo('J', 0, order(targetsOf({{kPanId, 1500000}, {kTailPanId, -700000}}, 4000)));
   passFrames(120);
   answerTo('I', HOLD_JOINTS, {1, static_cast<char>(kPanId)});
   EXPECT_FALSE(moves("head_pan"));
@@ -341,7 +331,7 @@ TEST_F(Version2Test, AJammedJointIsReportedAndThatItFollowsAgain) {
   constexpr unsigned char kTailTiltId = 52;  // the last one
   std::vector<std::string> pushed;
   const auto command = [&](int position) {
-    answerTo('J', 0, targets({{kTailTiltId, position}}));
+    answerTo('J', 0, order(targetsOf({{kTailTiltId, position}})));
     passFrames(4 * JointWatch::PATIENCE);
     pushed.clear();
     for (const Frame& next : arrived()) {

@@ -3,10 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <map>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -137,43 +135,38 @@ TEST(JointOrders, AreJudgedFromTheEndOfTheirPlannedWaysForTwoSeconds) {
 }
 
 TEST(JointOrders, EndWhenNoneOfTheirJointsIsUnderWay) {
-  const auto command = [](OrderedJoints& ordered, int joint) {
-    JointTargets targets = {0, 1, {{ordered.joints.Identifier(joint), -200000}}};
-    ordered.joints.SetTargets(&targets, 8);
+  const struct {
+    const char* what;
+    int error;
+    unsigned frames;  // that pass before
+    std::string commanded;
+    std::string held;
+    const char* end;
+  } rows[] = {
+      // joints are p (head_pan) and t (tail_pan)
+      {"a part is taken and the rest arrives", 0, 2, "p", "", "7 0: "},
+      {"a part is taken and the rest fails", 200000, 2, "t", "", "7 3: head_pan does not follow"},
+      {"all are taken", 0, 2, "pt", "", "7 1: tail_pan was commanded"},
+      {"a part is taken and the rest is held", 0, 2, "p", "t", "7 2: tail_pan was told to hold"},
+      {"a joint fails and the rest is held", 200000, 200, "", "t", "7 3: head_pan does not follow"},
   };
-  const std::tuple<const char*, int, std::function<void(OrderedJoints&)>, std::string> rows[] = {
-      {"a part is taken and the rest arrives", 0, [&](OrderedJoints& all) { command(all, all.kPan); }, "7 0: "},
-      {"a part is taken and the rest fails", 200000, [&](OrderedJoints& all) { command(all, all.kTail); },
-       "7 3: head_pan does not follow"},
-      {"all are taken", 0,
-       [&](OrderedJoints& all) {
-         command(all, all.kPan);
-         command(all, all.kTail);
-       },
-       "7 1: tail_pan was commanded"},
-      {"a part is taken and the rest is held", 0,
-       [&](OrderedJoints& all) {
-         command(all, all.kPan);
-         all.joints.Stop(all.kTail);
-       },
-       "7 2: tail_pan was told to hold"},
-      {"a joint fails and the rest is held", 200000,
-       [](OrderedJoints& all) {
-         all.joints.Planner().SetSpeedLimit(all.kTail, 50000);
-         all.pass(200);
-         all.joints.StopAll();
-       },
-       "7 3: head_pan does not follow"},
-  };
-  for (const auto& [name, error, event, end] : rows) {
-    OrderedJoints ordered(error);
-    ordered.pass(2);
-    event(ordered);
+  for (const auto& row : rows) {
+    OrderedJoints ordered(row.error);
+    const auto indexOf = [&ordered](char joint) { return joint == 'p' ? ordered.kPan : ordered.kTail; };
+    ordered.joints.Planner().SetSpeedLimit(ordered.kTail, 50000);
+    ordered.pass(row.frames);
+    for (const char joint : row.commanded) {
+      JointTargets targets = {0, 1, {{ordered.joints.Identifier(indexOf(joint)), -200000}}};
+      ordered.joints.SetTargets(&targets, 8);
+    }
+    for (const char joint : row.held) {
+      ordered.joints.Stop(indexOf(joint));
+    }
     std::string ended = ordered.pass(1000);
     while (ended.rfind('8', 0) == 0) {
       ended = ordered.pass(1000);
     }
-    EXPECT_EQ(ended, end) << name;
+    EXPECT_EQ(ended, row.end) << row.what;
   }
 }
 

@@ -139,8 +139,6 @@ TEST_F(AMotion, TakesLongerIfAStepIsTooFast) {
                                       "at 160 left_front_knee 100 head_pan 10\n"
                                       "at 960 left_front_knee 100 head_pan 60\n")),
             "");
-  EXPECT_THAT(player_->Changes(),
-              StrEq("1 step is too fast (left_front_knee at 160 ms), so it takes 1.13 s, which is 0.17 s longer"));
   const std::vector<double> path = pathOf("head_pan");
   EXPECT_LT(distance(path, 331 / kFrame * kFrame, 10), 0.5) << "the other joints wait for it";
   EXPECT_LT(distance(path, 731 / kFrame * kFrame, 35), 0.5);
