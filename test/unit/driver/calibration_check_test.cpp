@@ -13,7 +13,6 @@ namespace aibo_driver::node {
 namespace {
 
 using sensor_msgs::CameraInfo;
-using test_support::goodCalibration;
 using ::testing::HasSubstr;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -30,7 +29,7 @@ struct Lens {
 };
 
 CameraInfo calibrationOf(const Lens& lens) {
-  CameraInfo info = goodCalibration();
+  CameraInfo info = test_support::goodCalibration();
   info.distortion_model = lens.model;
   info.D = lens.coefficients;
   info.K = {lens.fx, 0, lens.cx, 0, lens.fy, lens.cy, 0, 0, 1};
@@ -77,7 +76,7 @@ TEST(CalibrationCheck, ALensThatCannotBeIsRefused) {
 using Change = std::function<void(CameraInfo&)>;
 
 std::string problemWith(const Change& change) {
-  CameraInfo info = goodCalibration();
+  CameraInfo info = test_support::goodCalibration();
   change(info);
   return problemOf(info);
 }

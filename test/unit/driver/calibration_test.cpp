@@ -8,21 +8,17 @@
 #include "files/files.h"
 #include "node/camera/calibration_check.h"
 #include "support/good_calibration.h"
+#include "support/refusal.h"
 #include "support/temporary_folder.h"
 
 namespace aibo_driver::node {
 namespace {
 
-using sensor_msgs::CameraInfo;
 using test_support::goodCalibration;
 using ::testing::HasSubstr;
 
 std::string refusalOf(const std::string& url) {
-  try {
-    return "accepted as " + calibrationFile(url, "left");
-  } catch (const aibo_client::InvalidArgumentException& error) {
-    return error.what();
-  }
+  return test_support::refusalOf<aibo_client::InvalidArgumentException>([&] { calibrationFile(url, "left"); });
 }
 
 TEST(CalibrationFile, IsThatOfTheUrl) {
@@ -51,7 +47,7 @@ TEST(CalibrationFile, MayBeIniAsForCameraInfoManager) {
   const std::string file = calibrationFile("file://" + folder.path("eye.ini").string(), "left");
   saveCalibration(goodCalibration(), "left", file);
   std::string name;
-  CameraInfo info;
+  sensor_msgs::CameraInfo info;
   EXPECT_TRUE(camera_calibration_parsers::readCalibration(file, name, info));
   EXPECT_EQ(problemOf(info), "");
   EXPECT_NEAR(info.P[5], goodCalibration().P[5], 1e-5);
@@ -64,7 +60,7 @@ TEST(CalibrationFile, IsNotReadIfItWasCutOff) {
   const std::string file = folder.path("new/eye.yaml").string();
   saveCalibration(goodCalibration(), "left", file);
   std::string name;
-  CameraInfo info;
+  sensor_msgs::CameraInfo info;
   EXPECT_TRUE(camera_calibration_parsers::readCalibration(file, name, info));
   for (auto size = std::filesystem::file_size(file) - 2; size > 0; --size) {
     std::filesystem::resize_file(file, size);

@@ -4,7 +4,6 @@
 
 #include <boost/make_shared.hpp>
 
-#include <functional>
 #include <stdexcept>
 
 namespace aibo_driver::node {

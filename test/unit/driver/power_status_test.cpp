@@ -37,29 +37,26 @@ DiagnosticStatusWrapper reportAt(double charge, double temperature) {
   return reportOf(power);
 }
 
-TEST(PowerStatus, ReportsHowFullAndWarmTheBatteryIs) {
+TEST(PowerStatus, HasALevelForChargeAndHeat) {
+  constexpr auto kOk = DiagnosticStatus::OK;
+  constexpr auto kWarn = DiagnosticStatus::WARN;
+  constexpr auto kError = DiagnosticStatus::ERROR;
+  const std::tuple<double, double, int, const char*> rows[] = {
+      {0.87, 31.5, kOk, "battery at 87 %"},        {0.20, 30, kOk, "20 %"},
+      {0.19, 30, kWarn, "19 %: charge it soon"},   {0.10, 30, kWarn, "10 %"},
+      {0.09, 30, kError, "9 %: charge it now"},    {0.9, 49, kOk, ""},
+      {0.9, 50, kWarn, "50 degrees Celsius: let"}, {0.9, 60, kError, "60 degrees"},
+      {0.15, 50, kWarn, "15 %: charge it soon"},   {0.15, 50, kWarn, "50 degrees"},
+  };
+  for (const auto& [charge, temperature, level, message] : rows) {
+    const DiagnosticStatusWrapper status = reportAt(charge, temperature);
+    EXPECT_EQ(status.level, level) << charge << " " << temperature;
+    EXPECT_THAT(status.message, HasSubstr(message));
+  }
   const DiagnosticStatusWrapper status = reportAt(0.87, 31.5);
-  EXPECT_EQ(status.level, DiagnosticStatus::OK);
-  EXPECT_EQ(status.message, "battery at 87 %");
   ASSERT_EQ(status.values.size(), 2u);
   EXPECT_EQ(status.values[0].value, "87");
   EXPECT_EQ(status.values[1].value, "31.5");
-}
-
-TEST(PowerStatus, WarnsBelow20PercentAndFailsBelow10) {
-  EXPECT_EQ(reportAt(0.20, 30).level, DiagnosticStatus::OK);
-  EXPECT_EQ(reportAt(0.19, 30).level, DiagnosticStatus::WARN);
-  EXPECT_EQ(reportAt(0.10, 30).level, DiagnosticStatus::WARN);
-  EXPECT_EQ(reportAt(0.09, 30).level, DiagnosticStatus::ERROR);
-  EXPECT_THAT(reportAt(0.09, 30).message, AllOf(HasSubstr("9 %"), HasSubstr("charge it now")));
-}
-
-TEST(PowerStatus, WarnsOfHeatAndOfBothAtOnce) {
-  EXPECT_EQ(reportAt(0.9, 49).level, DiagnosticStatus::OK);
-  EXPECT_EQ(reportAt(0.9, 50).level, DiagnosticStatus::WARN);
-  EXPECT_EQ(reportAt(0.9, 60).level, DiagnosticStatus::ERROR);
-  EXPECT_THAT(reportAt(0.15, 50).message,
-              AllOf(HasSubstr("15 %: charge it soon"), HasSubstr("50 degrees Celsius: let")));
 }
 
 TEST(PowerStatus, TellsTheChargeOrTheTemperatureAloneWhileTheOtherIsUnknown) {

