@@ -33,27 +33,10 @@ class FakeRobot : public Robot {
   }
 
   void connectIt(int protocol_version = 2, const QString& robot = "ERS-7") {
-    RobotConnection connection;
-    connection.state = RobotConnection::State::kConnected;
-    connection.name_space = "/aibo";
-    connection.robot = protocol_version == 2 ? robot : "";
-    connection.address = "robot:54321";
-    connection.protocol_version = protocol_version;
-    connection.text = "connected";
-    Q_EMIT connectionChanged(connection);
+    report(State::kConnected, "connected", protocol_version == 2 ? robot : "", protocol_version);
   }
 
-  void disconnectIt(RobotConnection::State state, const QString& text) {
-    RobotConnection connection;
-    connection.state = state;
-    connection.name_space = "/aibo";
-    if (connection.hasDriver()) {
-      connection.robot = "ERS-7";
-      connection.address = "robot:54321";
-    }
-    connection.text = text;
-    Q_EMIT connectionChanged(connection);
-  }
+  void disconnectIt(State state, const QString& text) { report(state, text, "ERS-7", 0); }
 
   void useDriver(const QString& name_space) override { wishes.append("use " + name_space); }
   void show(const std::set<Part>& parts) override { visible = parts; }
@@ -90,6 +73,18 @@ class FakeRobot : public Robot {
   }
   void lookAt(const QPointF& place) override {
     wishes.append(QString("look %1 %2").arg(place.x(), 0, 'f', 1).arg(place.y(), 0, 'f', 1));
+  }
+
+ private:
+  void report(State state, const QString& text, const QString& robot, int protocol_version) {
+    RobotConnection connection;
+    connection.state = state;
+    connection.name_space = "/aibo";
+    connection.robot = connection.hasDriver() ? robot : "";
+    connection.address = connection.hasDriver() ? "robot:54321" : "";
+    connection.protocol_version = protocol_version;
+    connection.text = text;
+    Q_EMIT connectionChanged(connection);
   }
 };
 
@@ -146,14 +141,8 @@ class RemoteControlTest : public ::testing::Test {
   RemoteControl window_;
 };
 
-struct Button {
-  const char* page;
-  const char* name;
-  QStringList wishes;
-};
-
 TEST_F(RemoteControlTest, EachButtonAsksForWhatItSays) {
-  const Button buttons[] = {
+  const std::tuple<const char*, const char*, QStringList> buttons[] = {
       {"Move", "Stand", {"stand"}},
       {"Move", "Rest", {"rest"}},
       {"Move", "Motors on", {"motors on"}},
@@ -171,9 +160,9 @@ TEST_F(RemoteControlTest, EachButtonAsksForWhatItSays) {
   };
   robot_.connectIt();
   window_.setFolder("/pictures");
-  for (const Button& button : buttons) {
-    open(button.page);
-    EXPECT_EQ(click(button.name), button.wishes) << button.name;
+  for (const auto& [page, button, wishes] : buttons) {
+    open(page);
+    EXPECT_EQ(click(button), wishes) << button;
   }
 }
 
