@@ -51,6 +51,12 @@ class TemporaryFolder {
     std::ofstream(path(name), std::ios::binary) << content;
   }
 
+  /// The content of a file.
+  std::string read(const std::string& name) const {
+    std::ifstream file(path(name), std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  }
+
  private:
   std::filesystem::path path_;
 };

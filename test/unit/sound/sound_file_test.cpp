@@ -69,9 +69,7 @@ TEST_F(SoundFileTest, AFileWithTheRobotsRateIsPlayedBitByBit) {
 
 TEST_F(SoundFileTest, AGzippedFileIsPlayed) {
   writeSoundFile(path("a.wav"), tone(16000));
-  std::ifstream file(path("a.wav"), std::ios::binary);
-  const std::string packed = test_support::gzipped({std::istreambuf_iterator<char>(file), {}});
-  folder_.write("packed.wav", packed);
+  folder_.write("packed.wav", test_support::gzipped(folder_.read("a.wav")));
   EXPECT_EQ(tone(16000), readAll("packed.wav"));
   folder_.write("secret.wav", test_support::gzipped("RIFX is not it"));
   EXPECT_THAT(complaintAbout("secret.wav"), HasSubstr("no WAV, FLAC or Ogg file"));

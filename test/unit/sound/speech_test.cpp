@@ -31,11 +31,6 @@ class SpeechTest : public testing::Test {
     ::chmod(program.c_str(), 0755);
   }
 
-  std::string contentOf(const std::string& name) const {
-    std::ifstream file(folder_.path(name));
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  }
-
   std::string path_;
   test_support::TemporaryFolder folder_;
 };
@@ -43,10 +38,10 @@ class SpeechTest : public testing::Test {
 TEST_F(SpeechTest, TheTextIsSpokenAndNeverAnOption) {
   install("cat > text; echo \"$@\" > arguments; cat speech.wav > \"$5\"");
   EXPECT_THAT(speak("-w /etc/passwd", "de")->read(10), testing::ElementsAre(1, 2, 3));
-  EXPECT_EQ("-w /etc/passwd", contentOf("text"));
-  EXPECT_EQ("-v de --stdin -w /proc/self/fd/3\n", contentOf("arguments"));
+  EXPECT_EQ("-w /etc/passwd", folder_.read("text"));
+  EXPECT_EQ("-v de --stdin -w /proc/self/fd/3\n", folder_.read("arguments"));
   speak("hello", "");
-  EXPECT_EQ("-v en --stdin -w /proc/self/fd/3\n", contentOf("arguments")) << "unless another voice is named";
+  EXPECT_EQ("-v en --stdin -w /proc/self/fd/3\n", folder_.read("arguments")) << "unless another voice is named";
 }
 
 TEST_F(SpeechTest, AFailureIsReported) {
