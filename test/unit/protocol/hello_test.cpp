@@ -16,18 +16,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::IsNull;
 
-Hello exampleHello() {
-  Hello hello{};
-  std::strcpy(hello.robot, "ERS-7");
-  std::strcpy(hello.server, "aibo_rcserver 0.1.0");
-  hello.frame_number = 4294967295U;
-  std::strcpy(hello.capabilities, "H F W J V T");
-  hello.joint_count = 2;
-  hello.joints[0] = {1, -1308997, 0, 3185226};
-  hello.joints[1] = {2, -1535890, 1535890, 10057460};
-  return hello;
-}
-
 std::string encode(const Hello& hello) {
   Bytes bytes(MAX_HELLO_SIZE);
   return std::string(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(encodeHello(hello, bytes.data())));
@@ -56,7 +44,14 @@ TEST(Hello, IsLinesOfKeyAndValueInAnyOrder) {
                                                      {{0.15, 0, 0, 0}, "walk_limits=150:0:0:0\n"},
                                                      {{0, 0, 0, 1.2}, "walk_limits=0:0:0:1200\n"}};
   for (const auto& [walk, line] : rows) {
-    Hello hello = exampleHello();
+    Hello hello{};
+    std::strcpy(hello.robot, "ERS-7");
+    std::strcpy(hello.server, "aibo_rcserver 0.1.0");
+    hello.frame_number = 4294967295U;
+    std::strcpy(hello.capabilities, "H F W J V T");
+    hello.joint_count = 2;
+    hello.joints[0] = {1, -1308997, 0, 3185226};
+    hello.joints[1] = {2, -1535890, 1535890, 10057460};
     hello.walk = walk;
     EXPECT_EQ(encode(hello), kHello + line);
     Hello again{};

@@ -225,18 +225,8 @@ TEST_F(BodyTest, UploadOfAnObjectIsAlwaysRefused) {
   expectAnswer(request('S', kBattery), 's', kBattery, 87);
 }
 
-class BodyVersion2Test : public BodyTest {
- protected:
-  void SetUp() override {
-    BodyTest::SetUp();
-    reconnect();
-  }
-
-  const std::string on_ = std::string(1, '\1');  // of the motors
-  const std::string off_ = std::string(1, '\0');
-};
-
-TEST_F(BodyVersion2Test, LedsAreSetTogether) {
+TEST_F(BodyTest, LedsAreSetTogether) {
+  reconnect();
   answerTo('L', 0, payloadOf(LedValues{2, {{kHeadColor, 3, LED_MODE_B}, {kFace1, 77, LED_MODE_B}}}));
   passFrames(kUntilMeasured);
   EXPECT_EQ(robot_.led("head_color").intensity, 1);
@@ -244,23 +234,26 @@ TEST_F(BodyVersion2Test, LedsAreSetTogether) {
   EXPECT_EQ(robot_.led("face_1").mode, oled3_MODE_B);
 }
 
-TEST_F(BodyVersion2Test, MotorsThatCannotBeSwitchedOnStayOffUntilTheyCan) {
+TEST_F(BodyTest, MotorsThatCannotBeSwitchedOnStayOffUntilTheyCan) {
+  const std::string on(1, '\1');
+  const std::string off(1, '\0');
+  reconnect();
   const struct {
     bool& fault;
     const char* words;
   } cases[] = {{robot_.refuses_power, "there is no power for the motors"},
                {robot_.joint("mouth").is_mute, "mouth does not report its position, so the motors stay off"}};
   for (const auto& [fault, words] : cases) {
-    answerTo('O', 0, order(off_));
+    answerTo('O', 0, order(off));
     fault = true;
-    expectRefusal(answerTo('O', 0, order(on_)), CODE_REFUSED, "cannot switch its motors on");
+    expectRefusal(answerTo('O', 0, order(on)), CODE_REFUSED, "cannot switch its motors on");
     expectRefusal(answerTo('E', POSTURE_STAND, order()), CODE_REFUSED, "cannot switch its motors on");
     EXPECT_THAT(console_.str(), testing::HasSubstr(words));
     passFrames(kUntilMeasured);
-    EXPECT_EQ(textOf(answerTo('O', 0)), off_) << words;
+    EXPECT_EQ(textOf(answerTo('O', 0)), off) << words;
     EXPECT_THAT(robot_.joints, Each(Field(&FakeRobot::FakeJoint::gain, false))) << words;
     fault = false;
-    EXPECT_EQ(textOf(answerTo('O', 0, order(on_))), on_) << words;
+    EXPECT_EQ(textOf(answerTo('O', 0, order(on))), on) << words;
     passFrames(kUntilMeasured);
     EXPECT_THAT(robot_.joints, Each(Field(&FakeRobot::FakeJoint::gain, true))) << words;
   }

@@ -116,23 +116,19 @@ class FakeRobot : public openr_host::VirtualRobot {
     if (locator == missing_locator) {
       return oNOT_FOUND;
     }
-    const int joint = robot_model::findJointByLocator(model, locator);
-    if (joint != robot_model::NO_JOINT) {
-      *id = kFirstPrimitive + static_cast<OPrimitiveID>(joint);
-    } else if (const int sensor = robot_model::findSensorByLocator(model, locator); sensor != robot_model::NO_SENSOR) {
-      *id = kFirstSensor + static_cast<OPrimitiveID>(sensor);
-    } else if (const int led = robot_model::findLedByLocator(model, locator); led != robot_model::NO_LED) {
-      *id = kFirstLed + static_cast<OPrimitiveID>(led);
-    } else if (const int ear = robot_model::findEarByLocator(model, locator); ear != robot_model::NO_EAR) {
-      *id = kFirstEar + static_cast<OPrimitiveID>(ear);
-    } else if (std::string(locator) == "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1") {
-      *id = kCamera;
-    } else if (std::string(locator) == "PRM:/s1-Speaker:S1") {  // Model Information ERS-7, 3.1.2
-      *id = kSpeaker;
-    } else {
-      return oNOT_FOUND;
+    const std::pair<int, OPrimitiveID> parts[] = {{robot_model::findJointByLocator(model, locator), kFirstPrimitive},
+                                                  {robot_model::findSensorByLocator(model, locator), kFirstSensor},
+                                                  {robot_model::findLedByLocator(model, locator), kFirstLed},
+                                                  {robot_model::findEarByLocator(model, locator), kFirstEar}};
+    for (const auto& [index, first] : parts) {
+      if (index >= 0) {
+        *id = first + static_cast<OPrimitiveID>(index);
+        return oSUCCESS;
+      }
     }
-    return oSUCCESS;
+    const bool is_camera = std::string(locator) == "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1";
+    *id = is_camera ? kCamera : kSpeaker;
+    return is_camera || std::string(locator) == "PRM:/s1-Speaker:S1" ? oSUCCESS : oNOT_FOUND;
   }
   OStatus closePrimitive(OPrimitiveID) override { return oSUCCESS; }
   OStatus controlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param, size_t size, void*,

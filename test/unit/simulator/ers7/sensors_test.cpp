@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "simulator/ers7/body/head_kinematics.h"
 #include "simulator/ers7/body/joints.h"
 #include "simulator/ers7/scene/scene.h"
 
