@@ -7,6 +7,7 @@ using robot_model::FRAME_MILLISECONDS;
 using robot_model::Joint;
 
 const int JointPlanner::FOLLOWING;
+const unsigned JointPlanner::NO_COMMAND;
 
 namespace {
 
@@ -28,7 +29,7 @@ int CoupledLowest(const Coupling& coupling, const JointPath::Span& leader) {
 
 }  // namespace
 
-JointPlanner::JointPlanner(const robot_model::RobotModel& robot) : robot_(robot), last_command_(0) {
+JointPlanner::JointPlanner(const robot_model::RobotModel& robot) : robot_(robot), last_command_(NO_COMMAND) {
   int posture[robot_model::MAX_JOINTS] = {0};
   clampPosture(robot_, posture);
   for (int i = 0; i < robot_.number_of_joints; ++i) {
@@ -57,17 +58,13 @@ void JointPlanner::Aim(int joint, int position) {
 void JointPlanner::Go(int duration) {
   FitAims();
   const int frames = duration > 0 ? (duration - 1) / FRAME_MILLISECONDS + 1 : 0;
-  const unsigned common_command = ++last_command_;
+  const unsigned command = frames > 0 ? ++last_command_ : NO_COMMAND;
   for (int i = 0; i < robot_.number_of_joints; ++i) {
     if (is_aimed_[i]) {
       is_aimed_[i] = false;
       paths_[i].Aim(aims_[i]);
-      if (frames > 0) {
-        paths_[i].Delay(std::max(frames, FramesLeft(i)));
-        commands_[i] = common_command;
-      } else {
-        LeaveCommand(i);
-      }
+      paths_[i].Delay(std::max(frames, FramesLeft(i)));
+      commands_[i] = command;
     }
   }
   ArriveTogether();
@@ -144,7 +141,7 @@ void JointPlanner::FitAims() {
 }
 
 void JointPlanner::LeaveCommand(int joint) {
-  commands_[joint] = ++last_command_;
+  commands_[joint] = NO_COMMAND;
 }
 
 // Adapts the joint's partners. The joint's target is now where it stands or stops, and theirs may no longer fit.
@@ -171,7 +168,7 @@ void JointPlanner::MakePartnersFit(int joint) {
 // If a joint cannot arrive in time, the others of the same command arrive later, too.
 void JointPlanner::ArriveTogether() {
   for (int i = 0; i < robot_.number_of_joints; ++i) {
-    for (int j = 0; j < robot_.number_of_joints; ++j) {
+    for (int j = 0; commands_[i] != NO_COMMAND && j < robot_.number_of_joints; ++j) {
       if (commands_[i] == commands_[j]) {
         paths_[i].Delay(std::max(FramesLeft(i), FramesLeft(j)));
       }
@@ -181,10 +178,10 @@ void JointPlanner::ArriveTogether() {
 
 // The safe step that is nearest to the wanted step. It is always safe to brake.
 int JointPlanner::AllowedStep(int joint, int wanted) const {
-  if (IsAllowed(joint, paths_[joint].SpanAfter(wanted))) {
+  int allowed = paths_[joint].BrakingStep();
+  if (wanted == allowed || IsAllowed(joint, paths_[joint].SpanAfter(wanted))) {
     return wanted;
   }
-  int allowed = paths_[joint].BrakingStep();
   int refused = wanted;
   while (refused - allowed > 1 || allowed - refused > 1) {
     const int middle = allowed + (refused - allowed) / 2;

@@ -99,6 +99,8 @@ class JointPlanner {
   int FramesLeft(int joint) const { return paths_[joint].FramesLeft(); }
 
  private:
+  static const unsigned NO_COMMAND = 0;
+
   void FitAims();
   void LeaveCommand(int joint);
   void MakePartnersFit(int joint);
@@ -110,7 +112,7 @@ class JointPlanner {
   JointPath paths_[robot_model::MAX_JOINTS];
   int speed_limits_[robot_model::MAX_JOINTS];         ///< microradian/s
   int acceleration_limits_[robot_model::MAX_JOINTS];  ///< microradian/s^2
-  unsigned commands_[robot_model::MAX_JOINTS];        ///< joints with the same number arrive together
+  unsigned commands_[robot_model::MAX_JOINTS];  ///< joints with the same number arrive together; NO_COMMAND: alone
   unsigned last_command_;
   bool is_aimed_[robot_model::MAX_JOINTS];  ///< the joint has an aim for the next Go() or Follow()
   int aims_[robot_model::MAX_JOINTS];       ///< valid if is_aimed_
