@@ -16,8 +16,6 @@ const Point FRONT_FOOT = {-0.00503, 0.0047, -0.06524};
 const Point HIND_FOOT = {-0.013529, 0.0047, -0.06628};  // as if it were a front leg
 const Point BELLY = {0.085, 0.035, -0.032};
 
-const double TOLERANCE = 1e-6;  // for rounding errors
-
 double sideOf(Leg leg) {
   return isLeft(leg) ? 1 : -1;
 }
@@ -103,7 +101,7 @@ Point findRolledWay(Leg leg, const LegAngles& angles) {
   return way;
 }
 
-bool findLegAngles(Leg leg, const Point& foot, LegAngles* angles) {
+LegAngles findLegAngles(Leg leg, const Point& foot) {
   Point way = mirrored(leg, foot);  // from the shoulder to the foot
   way.x -= SHOULDER.x;
   way.y -= SHOULDER.y;
@@ -118,12 +116,10 @@ bool findLegAngles(Leg leg, const Point& foot, LegAngles* angles) {
   const double stretched = angleOf(KNEE) - angleOf(shank);
   const double bent = acos(std::min(std::max(cosine, -1.0), 1.0));
 
+  LegAngles angles;
   LegAngles overstretched;
-  if (!turnLeg(leg, way, stretched + bent, angles) && turnLeg(leg, way, stretched - bent, &overstretched)) {
-    *angles = overstretched;
-  }
-  const Point reached = findFoot(leg, *angles);
-  return std::max(fabs(reached.x - foot.x), std::max(fabs(reached.y - foot.y), fabs(reached.z - foot.z))) < TOLERANCE;
+  const bool is_bent = turnLeg(leg, way, stretched + bent, &angles);
+  return !is_bent && turnLeg(leg, way, stretched - bent, &overstretched) ? overstretched : angles;
 }
 
 Point findBellyCorner(Leg leg) {

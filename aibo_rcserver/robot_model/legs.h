@@ -60,9 +60,8 @@ Point findRolledWay(Leg leg, const LegAngles& angles);
 /// the shoulder is preferred to one with the leg lifted over it, and of those, a bent knee to an overstretched one. (A
 /// front leg is longest with the knee at 11.8 degrees, a hind leg at 18.9.)
 /// @param foot the centre of the foot
-/// @param[out] angles if the place is too near or too far, the angles that come close
-/// @return true if the leg reaches the place
-bool findLegAngles(Leg leg, const Point& foot, LegAngles* angles);
+/// @return the angles; if the place is too near or too far, those that come close
+LegAngles findLegAngles(Leg leg, const Point& foot);
 
 /// The corner of the belly beside this leg, raised by FOOT_RADIUS, so that the robot rests only on balls of one size.
 /// The place is our estimate.

@@ -192,7 +192,7 @@ void Gait::FindPosture(double phase, const Velocity& velocity, double effort, Le
     const Point foot = {middle.x + ahead * (std::min(velocity.forward, parameters_.waves.none) - aside) + shift_ahead,
                         middle.y + ahead * (velocity.left + velocity.turn * middle.x) + shift_left, middle.z + lift};
     const Point in_body = {foot.x * cosine - foot.z * sine, foot.y, foot.x * sine + foot.z * cosine};
-    findLegAngles(leg, in_body, &angles[i]);
+    angles[i] = findLegAngles(leg, in_body);
     if (waves > 0) {
       // In a turn, the inner legs make shorter strokes. The share of the waves makes up only half of a stroke.
       AddWaves(leg, phase, effort * std::min(waves * (1 - 2 * aside / velocity.forward), 1.0), &angles[i]);

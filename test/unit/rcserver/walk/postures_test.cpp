@@ -140,7 +140,7 @@ TEST_F(PosturesTest, CountAsTheStandWhileTheFeetAreUnderTheBody) {
       const Leg which = static_cast<Leg>(leg);
       Point foot = findFoot(which, lifted[static_cast<std::size_t>(leg)]);
       foot.z += lift;
-      findLegAngles(which, foot, &lifted[static_cast<std::size_t>(leg)]);
+      lifted[static_cast<std::size_t>(leg)] = findLegAngles(which, foot);
       EXPECT_EQ(postures_.Stands(lifted.data()), lift < 0.03) << leg << " by " << lift;
     }
   }

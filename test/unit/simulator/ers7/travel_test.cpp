@@ -29,9 +29,7 @@ Vector3d placeOf(Leg leg) {
 }
 
 LegAngles withFootAt(Leg leg, const Vector3d& place) {
-  LegAngles angles;
-  EXPECT_TRUE(robot_model::findLegAngles(leg, {place.x(), place.y(), place.z()}, &angles));
-  return angles;
+  return robot_model::findLegAngles(leg, {place.x(), place.y(), place.z()});
 }
 
 /// How far the foot rolls forward and to the left from its usual place to these angles: its radius times the angle by
