@@ -1,4 +1,3 @@
-/// @file big_endian.h
 /// Integers of version 2: most significant byte first, signed ones in two's complement, on any machine.
 #ifndef AIBO_RCSERVER_PROTOCOL_BIG_ENDIAN_H
 #define AIBO_RCSERVER_PROTOCOL_BIG_ENDIAN_H

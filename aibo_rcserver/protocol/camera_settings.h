@@ -1,4 +1,3 @@
-/// @file camera_settings.h
 /// Version 2's request `G`: the camera's settings.
 #ifndef AIBO_RCSERVER_PROTOCOL_CAMERA_SETTINGS_H
 #define AIBO_RCSERVER_PROTOCOL_CAMERA_SETTINGS_H

@@ -1,4 +1,3 @@
-/// @file color_requests.h
 /// Version 2's request `Z` and its push `z`: the camera's colour detection.
 ///
 /// The camera compares each pixel with a table for each channel. It makes a plane with one byte per pixel and one bit

@@ -1,4 +1,3 @@
-/// @file fields.h
 /// Encodes and decodes the payloads of version 2. Each payload is a struct with a member
 ///
 ///     template <typename Fields> void visit(Fields& fields)

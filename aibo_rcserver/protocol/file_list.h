@@ -1,4 +1,3 @@
-/// @file file_list.h
 /// Lists of motions or pictures on the memory stick in version 2.
 #ifndef AIBO_RCSERVER_PROTOCOL_FILE_LIST_H
 #define AIBO_RCSERVER_PROTOCOL_FILE_LIST_H

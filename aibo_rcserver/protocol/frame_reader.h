@@ -1,5 +1,3 @@
-/// @file frame_reader.h
-/// Splits the bytes of a version 2 connection into frames.
 #ifndef AIBO_RCSERVER_PROTOCOL_FRAME_READER_H
 #define AIBO_RCSERVER_PROTOCOL_FRAME_READER_H
 

@@ -1,4 +1,3 @@
-/// @file hello.h
 /// The server's description of itself in the reply to `H` in version 2. Each line of UTF-8 is `key=value`:
 ///
 ///     robot=ERS-7

@@ -1,4 +1,3 @@
-/// @file motion_requests.h
 /// Version 2's requests for motion files on the robot's memory stick: upload, delete, play and list. Names on the wire
 /// may have small letters; readMotionName() makes them capitals.
 #ifndef AIBO_RCSERVER_PROTOCOL_MOTION_REQUESTS_H

@@ -1,5 +1,3 @@
-/// @file opening.h
-/// Decides from the first bytes of a connection whether the peer is a client of this protocol.
 #ifndef AIBO_RCSERVER_PROTOCOL_OPENING_H
 #define AIBO_RCSERVER_PROTOCOL_OPENING_H
 

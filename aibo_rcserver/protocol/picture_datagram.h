@@ -1,4 +1,3 @@
-/// @file picture_datagram.h
 /// Pictures by UDP in version 2: the request `B` and its datagrams.
 ///
 /// A picture is sent in parts of DATAGRAM_PART_SIZE bytes; the last part has the rest. Each part is a datagram with a

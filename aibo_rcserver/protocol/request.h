@@ -1,4 +1,3 @@
-/// @file request.h
 /// What both sides have to know about a version 2 request, apart from its payload.
 #ifndef AIBO_RCSERVER_PROTOCOL_REQUEST_H
 #define AIBO_RCSERVER_PROTOCOL_REQUEST_H

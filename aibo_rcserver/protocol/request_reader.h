@@ -1,4 +1,3 @@
-/// @file request_reader.h
 #ifndef AIBO_RCSERVER_PROTOCOL_REQUEST_READER_H
 #define AIBO_RCSERVER_PROTOCOL_REQUEST_READER_H
 

@@ -1,4 +1,3 @@
-/// @file sound_requests.h
 /// Version 2's request `A` and its push `a`: what the robot hears, what it plays, and how loud.
 ///
 /// Sound is linear PCM, 16 bits a sample, big-endian as all integers are. Time is that of the robot: 128 samples at

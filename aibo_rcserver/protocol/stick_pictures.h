@@ -1,4 +1,3 @@
-/// @file stick_pictures.h
 /// Version 2's requests for pictures on the robot's memory stick: take (`M`), list, fetch and delete (`Y`). Names on
 /// the wire may have small letters; readPictureName() makes them capitals.
 #ifndef AIBO_RCSERVER_PROTOCOL_STICK_PICTURES_H

@@ -1,4 +1,3 @@
-/// @file text.h
 /// Texts in both versions: UTF-8 without hidden characters, and names of files on the memory stick. And texts in files
 /// that people edit.
 #ifndef AIBO_RCSERVER_PROTOCOL_TEXT_H

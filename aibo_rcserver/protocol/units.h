@@ -1,4 +1,3 @@
-/// @file units.h
 /// Converts between the wire's units and OPEN-R's. OPEN-R counts in millionths of SI units, such as microradians
 /// (robot_model.h):
 ///

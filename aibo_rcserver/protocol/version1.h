@@ -1,4 +1,3 @@
-/// @file version1.h
 /// Version 1 of RCServer's wire protocol, which robots in the field speak. C++98, no I/O. docs/protocol.md describes
 /// the protocol.
 ///

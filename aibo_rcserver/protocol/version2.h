@@ -1,4 +1,3 @@
-/// @file version2.h
 /// Version 2 of RCServer's wire protocol. C++98, no I/O, no memory of its own. docs/protocol.md describes the protocol.
 ///
 /// A client requests version 2 in version 1 (versionRequest()). After the server's consent (versionReply()) both sides

@@ -1,4 +1,3 @@
-/// @file walk_requests.h
 /// Version 2's requests to walk and take postures, and the telemetry of a walk.
 #ifndef AIBO_RCSERVER_PROTOCOL_WALK_REQUESTS_H
 #define AIBO_RCSERVER_PROTOCOL_WALK_REQUESTS_H

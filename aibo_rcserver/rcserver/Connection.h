@@ -1,5 +1,3 @@
-/// @file Connection.h
-/// A TCP connection at the IPStack.
 #ifndef AIBO_RCSERVER_RCSERVER_CONNECTION_H
 #define AIBO_RCSERVER_RCSERVER_CONNECTION_H
 

@@ -1,5 +1,3 @@
-/// @file FrameClock.h
-/// Tells in which OPEN-R frame the robot is now.
 #ifndef AIBO_RCSERVER_RCSERVER_FRAME_CLOCK_H
 #define AIBO_RCSERVER_RCSERVER_FRAME_CLOCK_H
 

@@ -1,5 +1,3 @@
-/// @file Outbox.h
-/// Messages that wait to be sent to the client; pictures are not among them.
 #ifndef AIBO_RCSERVER_RCSERVER_OUTBOX_H
 #define AIBO_RCSERVER_RCSERVER_OUTBOX_H
 

@@ -1,5 +1,3 @@
-/// @file PowerDown.h
-/// Switches the robot off.
 #ifndef AIBO_RCSERVER_RCSERVER_POWER_DOWN_H
 #define AIBO_RCSERVER_RCSERVER_POWER_DOWN_H
 

@@ -1,5 +1,3 @@
-/// @file RCServer.h
-/// The OPEN-R object that serves one client at a time.
 #ifndef AIBO_RCSERVER_RCSERVER_RCSERVER_H
 #define AIBO_RCSERVER_RCSERVER_RCSERVER_H
 
@@ -103,15 +101,13 @@ class RCServer : public OObject {
   /// The power status has changed (OPENR::ObservePowerStatus()).
   void PowerChanged(ANTENVMSG msg);
 
-  /// @name Answers of the IPStack
-  /// @{
+  // Answers of the IPStack.
   void ListenCont(ANTENVMSG msg);
   void SendCont(ANTENVMSG msg);
   void ReceiveCont(ANTENVMSG msg);
   void CloseCont(ANTENVMSG msg);
   void DatagramCont(ANTENVMSG msg);
   void StatusCont(ANTENVMSG msg);
-  /// @}
 
  private:
   // One connection serves the client. The other accepts a newcomer, to turn it away or to let it replace a silent

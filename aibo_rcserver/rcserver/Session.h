@@ -1,5 +1,3 @@
-/// @file Session.h
-/// The conversation with one client.
 #ifndef AIBO_RCSERVER_RCSERVER_SESSION_H
 #define AIBO_RCSERVER_RCSERVER_SESSION_H
 
@@ -85,12 +83,10 @@ class Session {
   /// @param frame the frame in which they were measured
   void Measured(unsigned frame);
 
-  /// @name What a client of version 2 has asked for: colours, sound, and a file that must be sent
-  /// @{
+  // What a client of version 2 has asked for: colours, sound, and a file that must be sent.
   ColorRequests& Colors() { return version2_.Colors(); }
   SoundRequests& Sound() { return version2_.Sound(); }
   StickRequests& Stick() { return version2_.Stick(); }
-  /// @}
 
   /// True if sound waits to be sent.
   bool SoundWaits() const { return outbox_.HasSound(); }

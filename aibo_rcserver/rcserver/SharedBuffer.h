@@ -1,5 +1,3 @@
-/// @file SharedBuffer.h
-/// Memory that this object shares with the IPStack.
 #ifndef AIBO_RCSERVER_RCSERVER_SHARED_BUFFER_H
 #define AIBO_RCSERVER_RCSERVER_SHARED_BUFFER_H
 

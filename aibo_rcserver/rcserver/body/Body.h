@@ -1,5 +1,3 @@
-/// @file Body.h
-/// The robot's body, as OPEN-R has it.
 #ifndef AIBO_RCSERVER_RCSERVER_BODY_BODY_H
 #define AIBO_RCSERVER_RCSERVER_BODY_BODY_H
 

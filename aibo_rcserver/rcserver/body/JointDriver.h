@@ -1,5 +1,3 @@
-/// @file JointDriver.h
-/// The robot's joints and their motors.
 #ifndef AIBO_RCSERVER_RCSERVER_BODY_JOINT_DRIVER_H
 #define AIBO_RCSERVER_RCSERVER_BODY_JOINT_DRIVER_H
 

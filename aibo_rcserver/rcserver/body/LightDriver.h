@@ -1,5 +1,3 @@
-/// @file LightDriver.h
-/// What the robot shows: its LEDs and ears.
 #ifndef AIBO_RCSERVER_RCSERVER_BODY_LIGHT_DRIVER_H
 #define AIBO_RCSERVER_RCSERVER_BODY_LIGHT_DRIVER_H
 

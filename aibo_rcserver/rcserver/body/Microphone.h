@@ -1,5 +1,3 @@
-/// @file Microphone.h
-/// Sound from the robot's microphones.
 #ifndef AIBO_RCSERVER_RCSERVER_BODY_MICROPHONE_H
 #define AIBO_RCSERVER_RCSERVER_BODY_MICROPHONE_H
 

@@ -1,5 +1,3 @@
-/// @file PowerSupply.h
-/// The pause button and the battery.
 #ifndef AIBO_RCSERVER_RCSERVER_BODY_POWER_SUPPLY_H
 #define AIBO_RCSERVER_RCSERVER_BODY_POWER_SUPPLY_H
 

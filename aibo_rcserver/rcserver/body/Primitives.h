@@ -1,6 +1,3 @@
-/// @file Primitives.h
-/// The robot's primitives, as OPEN-R calls its joints, sensors, LEDs and ears: opening them, reading their reports,
-/// commanding them.
 #ifndef AIBO_RCSERVER_RCSERVER_BODY_PRIMITIVES_H
 #define AIBO_RCSERVER_RCSERVER_BODY_PRIMITIVES_H
 

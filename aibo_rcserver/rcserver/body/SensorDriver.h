@@ -1,5 +1,3 @@
-/// @file SensorDriver.h
-/// The robot's sensors.
 #ifndef AIBO_RCSERVER_RCSERVER_BODY_SENSOR_DRIVER_H
 #define AIBO_RCSERVER_RCSERVER_BODY_SENSOR_DRIVER_H
 

@@ -1,5 +1,3 @@
-/// @file Speaker.h
-/// Sound for the robot's speaker.
 #ifndef AIBO_RCSERVER_RCSERVER_BODY_SPEAKER_H
 #define AIBO_RCSERVER_RCSERVER_BODY_SPEAKER_H
 

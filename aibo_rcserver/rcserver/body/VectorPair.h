@@ -1,5 +1,3 @@
-/// @file VectorPair.h
-/// The vectors that OPEN-R outputs one after the other.
 #ifndef AIBO_RCSERVER_RCSERVER_BODY_VECTOR_PAIR_H
 #define AIBO_RCSERVER_RCSERVER_BODY_VECTOR_PAIR_H
 

@@ -1,5 +1,3 @@
-/// @file CameraControl.h
-/// The camera's settings.
 #ifndef AIBO_RCSERVER_RCSERVER_CAMERA_CAMERA_CONTROL_H
 #define AIBO_RCSERVER_RCSERVER_CAMERA_CAMERA_CONTROL_H
 

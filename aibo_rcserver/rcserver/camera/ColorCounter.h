@@ -1,5 +1,3 @@
-/// @file ColorCounter.h
-/// What the camera's colour detection has found, from its plane.
 #ifndef AIBO_RCSERVER_RCSERVER_CAMERA_COLOR_COUNTER_H
 #define AIBO_RCSERVER_RCSERVER_CAMERA_COLOR_COUNTER_H
 

@@ -1,5 +1,3 @@
-/// @file ColorTables.h
-/// The tables of the camera's colour detection.
 #ifndef AIBO_RCSERVER_RCSERVER_CAMERA_COLOR_TABLES_H
 #define AIBO_RCSERVER_RCSERVER_CAMERA_COLOR_TABLES_H
 

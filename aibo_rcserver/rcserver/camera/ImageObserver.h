@@ -1,4 +1,3 @@
-/// @file ImageObserver.h
 /// What the camera owes the client: the state machine behind `F` and `W`.
 #ifndef AIBO_RCSERVER_RCSERVER_CAMERA_IMAGE_OBSERVER_H
 #define AIBO_RCSERVER_RCSERVER_CAMERA_IMAGE_OBSERVER_H

@@ -1,5 +1,3 @@
-/// @file PictureDatagrams.h
-/// The pictures of the stream by UDP.
 #ifndef AIBO_RCSERVER_RCSERVER_CAMERA_PICTURE_DATAGRAMS_H
 #define AIBO_RCSERVER_RCSERVER_CAMERA_PICTURE_DATAGRAMS_H
 

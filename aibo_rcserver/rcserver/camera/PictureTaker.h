@@ -1,5 +1,3 @@
-/// @file PictureTaker.h
-/// RCServer's side of the object PictureEncoder.
 #ifndef AIBO_RCSERVER_RCSERVER_CAMERA_PICTURE_TAKER_H
 #define AIBO_RCSERVER_RCSERVER_CAMERA_PICTURE_TAKER_H
 
@@ -65,14 +63,12 @@ class PictureTaker {
   /// @return false if the picture was dropped meanwhile
   bool Take(const ONotifyEvent& event, OObserver* observer);
 
-  /// @name The picture that has been made
-  /// @{
+  // The picture that has been made.
   bool HasPicture() const { return picture_.IsThere(); }
   const EncodedPicture& Picture() const { return picture_.Get(); }
   void DropPicture() { picture_.Release(); }
   const PictureOrder& Order() const { return order_; }
   const protocol::version2::ImageHeader& Header() const { return header_; }
-  /// @}
 
  private:
   RegionSender<PictureJob, 2> jobs_;

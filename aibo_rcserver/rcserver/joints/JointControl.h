@@ -1,5 +1,3 @@
-/// @file JointControl.h
-/// The robot's joints: their targets, their positions and their faults.
 #ifndef AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_CONTROL_H
 #define AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_CONTROL_H
 
@@ -45,9 +43,8 @@ class JointControl {
   MotionPlayer& Motions() { return motions_; }
   Walker& Walking() { return walker_; }
 
-  /// @name Clients' orders. Those that move or hold a leg make the client let go before the robot walks (OrderBook)
-  /// @param number of the request of version 2, otherwise 0
-  /// @{
+  // Clients' orders. Those that move or hold a leg make the client let go before the robot walks (OrderBook).
+  // @param number of the request of version 2, otherwise 0
 
   /// Carries out a command with JointPlanner::Go(). Motions, walks and postures that move one of these joints end. A
   /// command with a number is an order, which JointOrders ends.
@@ -66,7 +63,6 @@ class JointControl {
   protocol::version2::Velocity Steer(const protocol::version2::Velocity& wanted, bool guarded = false,
                                      unsigned short number = 0);
   void Take(protocol::version2::Posture posture, unsigned short number = 0);
-  /// @}
 
   /// Call this when a motion has begun. Commands to its joints end, and so does a walk or a posture if legs move.
   void MotionHasBegun();

@@ -1,5 +1,3 @@
-/// @file JointOrders.h
-/// The clients' commands to joints that are being carried out.
 #ifndef AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_ORDERS_H
 #define AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_ORDERS_H
 

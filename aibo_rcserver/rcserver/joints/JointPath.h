@@ -1,5 +1,3 @@
-/// @file JointPath.h
-/// The path of one joint to its target.
 #ifndef AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_PATH_H
 #define AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_PATH_H
 

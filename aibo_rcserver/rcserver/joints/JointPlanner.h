@@ -1,5 +1,3 @@
-/// @file JointPlanner.h
-/// Plans the path of every joint for the next 8 ms.
 #ifndef AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_PLANNER_H
 #define AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_PLANNER_H
 

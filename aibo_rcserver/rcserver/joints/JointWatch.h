@@ -1,5 +1,3 @@
-/// @file JointWatch.h
-/// Detects joints that do not follow their commands.
 #ifndef AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_WATCH_H
 #define AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_WATCH_H
 

@@ -1,5 +1,3 @@
-/// @file MotionPlayer.h
-/// The motions that are being played.
 #ifndef AIBO_RCSERVER_RCSERVER_JOINTS_MOTION_PLAYER_H
 #define AIBO_RCSERVER_RCSERVER_JOINTS_MOTION_PLAYER_H
 

@@ -1,5 +1,3 @@
-/// @file OrderBook.h
-/// The orders that are being carried out, and how orders have ended.
 #ifndef AIBO_RCSERVER_RCSERVER_JOINTS_ORDER_BOOK_H
 #define AIBO_RCSERVER_RCSERVER_JOINTS_ORDER_BOOK_H
 

@@ -1,5 +1,3 @@
-/// @file PlayedMotion.h
-/// One motion that is being played.
 #ifndef AIBO_RCSERVER_RCSERVER_JOINTS_PLAYED_MOTION_H
 #define AIBO_RCSERVER_RCSERVER_JOINTS_PLAYED_MOTION_H
 

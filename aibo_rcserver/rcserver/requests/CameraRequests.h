@@ -1,5 +1,3 @@
-/// @file CameraRequests.h
-/// The requests of version 2 for pictures, and about the camera's settings.
 #ifndef AIBO_RCSERVER_RCSERVER_REQUESTS_CAMERA_REQUESTS_H
 #define AIBO_RCSERVER_RCSERVER_REQUESTS_CAMERA_REQUESTS_H
 

@@ -1,5 +1,3 @@
-/// @file ColorRequests.h
-/// The request of version 2 about the camera's colour detection, and its push.
 #ifndef AIBO_RCSERVER_RCSERVER_REQUESTS_COLOR_REQUESTS_H
 #define AIBO_RCSERVER_RCSERVER_REQUESTS_COLOR_REQUESTS_H
 

@@ -1,5 +1,3 @@
-/// @file Exchange.h
-/// A request of version 2, its answer, and what is pushed.
 #ifndef AIBO_RCSERVER_RCSERVER_REQUESTS_EXCHANGE_H
 #define AIBO_RCSERVER_RCSERVER_REQUESTS_EXCHANGE_H
 
@@ -30,8 +28,7 @@ class Exchange {
   /// Gives the answer another id than the request's.
   void AnswerWithId(unsigned char id) { request_.id = id; }
 
-  /// @name Checks. If they return false, they have refused the request
-  /// @{
+  // Checks. If they return false, they have refused the request.
   template <typename Content>
   bool Decode(Content* content) {
     return IsWellFormed(protocol::version2::decode(payload_, request_.payload_size, content));
@@ -44,10 +41,8 @@ class Exchange {
 
   /// Returns false for an order that has expired.
   bool IsInTime(unsigned not_after);
-  /// @}
 
-  /// @name The answer. Each request gets one, after the ends of orders that it has caused
-  /// @{
+  // The answer. Each request gets one, after the ends of orders that it has caused.
   template <typename Content>
   void Reply(const Content& content) {
     FinishReply(encode(content, Payload()));
@@ -64,10 +59,8 @@ class Exchange {
 
   /// Refuses a request that has waited, while another one is being handled.
   void RefuseOther(const protocol::version2::FrameHeader& other, const char* text);
-  /// @}
 
-  /// @name Pushed messages. Push them only if there is room; messages that replace older ones always have room
-  /// @{
+  // Pushed messages. Push them only if there is room; messages that replace older ones always have room.
   bool HasRoom() const { return outbox_.HasRoom(); }
 
   template <typename Content>
@@ -92,7 +85,6 @@ class Exchange {
   const unsigned char* Message() const { return message_; }
 
   Outbox& Out() { return outbox_; }
-  /// @}
 
  private:
   template <typename Content>

@@ -1,5 +1,3 @@
-/// @file FileJobs.h
-/// RCServer's side of the object FileKeeper.
 #ifndef AIBO_RCSERVER_RCSERVER_REQUESTS_FILE_JOBS_H
 #define AIBO_RCSERVER_RCSERVER_REQUESTS_FILE_JOBS_H
 

@@ -1,5 +1,3 @@
-/// @file FileOrder.h
-/// The request that waits for the memory stick.
 #ifndef AIBO_RCSERVER_RCSERVER_REQUESTS_FILE_ORDER_H
 #define AIBO_RCSERVER_RCSERVER_REQUESTS_FILE_ORDER_H
 

@@ -1,5 +1,3 @@
-/// @file MotionCommands.h
-/// The requests about motions, for both versions of the protocol.
 #ifndef AIBO_RCSERVER_RCSERVER_REQUESTS_MOTION_COMMANDS_H
 #define AIBO_RCSERVER_RCSERVER_REQUESTS_MOTION_COMMANDS_H
 
@@ -58,12 +56,10 @@ class MotionCommands {
   mtn::Motion checked_;       ///< the upload that is checked
   mtn::FittedMotion fitted_;  ///< the upload, fitted to the robot
 
-  /// @name The motion to be played, while its file is being read
-  /// @{
+  // The motion to be played, while its file is being read.
   int repetitions_;        ///< how often the motion is to be played
   bool leave_out_;         ///< whether to leave out the joints that the robot does not have
   unsigned short number_;  ///< number of the request
-  /// @}
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_REQUESTS_MOTION_COMMANDS_H

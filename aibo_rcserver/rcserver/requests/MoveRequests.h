@@ -1,5 +1,3 @@
-/// @file MoveRequests.h
-/// The requests of version 2 that move the robot or stop it, and what is pushed about them.
 #ifndef AIBO_RCSERVER_RCSERVER_REQUESTS_MOVE_REQUESTS_H
 #define AIBO_RCSERVER_RCSERVER_REQUESTS_MOVE_REQUESTS_H
 

@@ -1,5 +1,3 @@
-/// @file Robot.h
-/// The parts of the robot that a client's requests act on.
 #ifndef AIBO_RCSERVER_RCSERVER_REQUESTS_ROBOT_H
 #define AIBO_RCSERVER_RCSERVER_REQUESTS_ROBOT_H
 

@@ -1,5 +1,3 @@
-/// @file SoundRequests.h
-/// The request of version 2 about sound, and its pushes.
 #ifndef AIBO_RCSERVER_RCSERVER_REQUESTS_SOUND_REQUESTS_H
 #define AIBO_RCSERVER_RCSERVER_REQUESTS_SOUND_REQUESTS_H
 

@@ -1,5 +1,3 @@
-/// @file StickRequests.h
-/// The requests of version 2 that need the memory stick: motions and pictures on it.
 #ifndef AIBO_RCSERVER_RCSERVER_REQUESTS_STICK_REQUESTS_H
 #define AIBO_RCSERVER_RCSERVER_REQUESTS_STICK_REQUESTS_H
 

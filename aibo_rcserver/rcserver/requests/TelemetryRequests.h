@@ -1,5 +1,3 @@
-/// @file TelemetryRequests.h
-/// The request of version 2 for telemetry, and its push.
 #ifndef AIBO_RCSERVER_RCSERVER_REQUESTS_TELEMETRY_REQUESTS_H
 #define AIBO_RCSERVER_RCSERVER_REQUESTS_TELEMETRY_REQUESTS_H
 

@@ -1,5 +1,3 @@
-/// @file Version1.h
-/// What the server does for a client of version 1 of the protocol.
 #ifndef AIBO_RCSERVER_RCSERVER_REQUESTS_VERSION1_H
 #define AIBO_RCSERVER_RCSERVER_REQUESTS_VERSION1_H
 
@@ -48,8 +46,7 @@ class Version1 {
   void Refuse(protocol::ErrorCode code);
   void Send(char letter, unsigned char identifier, short value);
 
-  /// @name Requests. They return false if the request has to be refused
-  /// @{
+  // Requests. They return false if the request has to be refused.
   bool Execute();
   bool MoveOrReadJoints();
   bool LimitJoint();
@@ -58,7 +55,6 @@ class Version1 {
   bool SetLeds();
   bool SetEars();
   bool GoOff(PowerOrder order, bool is_allowed);
-  /// @}
 
   bool MayMove() const;
   bool HasFault(int joint);

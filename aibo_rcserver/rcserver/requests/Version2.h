@@ -1,5 +1,3 @@
-/// @file Version2.h
-/// What the server does for a client of version 2 of the protocol.
 #ifndef AIBO_RCSERVER_RCSERVER_REQUESTS_VERSION2_H
 #define AIBO_RCSERVER_RCSERVER_REQUESTS_VERSION2_H
 

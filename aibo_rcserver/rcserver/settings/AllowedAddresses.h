@@ -1,5 +1,3 @@
-/// @file AllowedAddresses.h
-/// The addresses that may connect.
 #ifndef AIBO_RCSERVER_RCSERVER_SETTINGS_ALLOWED_ADDRESSES_H
 #define AIBO_RCSERVER_RCSERVER_SETTINGS_ALLOWED_ADDRESSES_H
 

@@ -1,4 +1,3 @@
-/// @file Settings.h
 /// The settings in RCSERVER.CFG, which the owner of the robot writes.
 #ifndef AIBO_RCSERVER_RCSERVER_SETTINGS_SETTINGS_H
 #define AIBO_RCSERVER_RCSERVER_SETTINGS_SETTINGS_H

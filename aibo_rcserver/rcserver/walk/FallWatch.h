@@ -1,5 +1,3 @@
-/// @file FallWatch.h
-/// Detects when the robot has fallen or is carried.
 #ifndef AIBO_RCSERVER_RCSERVER_WALK_FALL_WATCH_H
 #define AIBO_RCSERVER_RCSERVER_WALK_FALL_WATCH_H
 

@@ -1,5 +1,3 @@
-/// @file Gait.h
-/// The motion of the legs when the robot walks.
 #ifndef AIBO_RCSERVER_RCSERVER_WALK_GAIT_H
 #define AIBO_RCSERVER_RCSERVER_WALK_GAIT_H
 

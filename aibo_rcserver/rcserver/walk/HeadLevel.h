@@ -1,5 +1,3 @@
-/// @file HeadLevel.h
-/// Levels the head while the robot lies down or gets up.
 #ifndef AIBO_RCSERVER_RCSERVER_WALK_HEAD_LEVEL_H
 #define AIBO_RCSERVER_RCSERVER_WALK_HEAD_LEVEL_H
 

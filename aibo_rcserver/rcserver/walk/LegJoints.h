@@ -1,5 +1,3 @@
-/// @file LegJoints.h
-/// The joints of an ERS-7's legs.
 #ifndef AIBO_RCSERVER_RCSERVER_WALK_LEG_JOINTS_H
 #define AIBO_RCSERVER_RCSERVER_WALK_LEG_JOINTS_H
 

@@ -1,5 +1,3 @@
-/// @file Postures.h
-/// The postures that the robot can take, and the safe routes between them.
 #ifndef AIBO_RCSERVER_RCSERVER_WALK_POSTURES_H
 #define AIBO_RCSERVER_RCSERVER_WALK_POSTURES_H
 

@@ -1,4 +1,3 @@
-/// @file WalkGuard.h
 /// Keeps a walking robot away from edges and walls.
 #ifndef AIBO_RCSERVER_RCSERVER_WALK_WALK_GUARD_H
 #define AIBO_RCSERVER_RCSERVER_WALK_WALK_GUARD_H

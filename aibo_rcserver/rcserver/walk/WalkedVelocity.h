@@ -1,5 +1,3 @@
-/// @file WalkedVelocity.h
-/// The robot's walking velocity, measured by its legs.
 #ifndef AIBO_RCSERVER_RCSERVER_WALK_WALKED_VELOCITY_H
 #define AIBO_RCSERVER_RCSERVER_WALK_WALKED_VELOCITY_H
 

@@ -1,5 +1,3 @@
-/// @file Walker.h
-/// Moves the legs when the robot walks or takes a posture.
 #ifndef AIBO_RCSERVER_RCSERVER_WALK_WALKER_H
 #define AIBO_RCSERVER_RCSERVER_WALK_WALKER_H
 
@@ -151,14 +149,12 @@ class Walker {
   /// @param positions the joints' positions by the robot's table
   protocol::version2::Posture Now(const int* positions) const;
 
-  /// @name The state for telemetry
-  /// @{
+  // The state for telemetry.
   protocol::version2::WalkState State() const;
   double Phase() const { return activity_ == WALKING ? walk_.pace.phase : 0; }
 
   /// The average velocity since the last call (WalkedVelocity::Take()).
   protocol::version2::Velocity TakeVelocity() { return walked_.Take(activity_ == WALKING); }
-  /// @}
 
  private:
   enum Activity { IDLE, TAKING_POSTURE, WALKING };
