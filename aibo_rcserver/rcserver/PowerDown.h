@@ -21,12 +21,10 @@ class PowerDown {
   /// that is being replaced could be lost.
   static const longword FILE_FRAMES = 375;
 
-  /// @param files must outlive the object
   explicit PowerDown(const FileDesk& files)
       : files_(files), body_(NULL), order_(POWER_STAYS_ON), is_noted_(false), noted_since_(0), lies_down_since_(0) {}
 
   /// Call this once, before all other functions except Order().
-  /// @param body must outlive the object
   void Begin(Body* body) { body_ = body; }
 
   /// The order in force. A client's requests set it.

@@ -31,8 +31,7 @@ class Session {
   static const size_t MAX_PICTURE_HEADER_SIZE =
       protocol::version2::FRAME_HEADER_SIZE + protocol::version2::IMAGE_HEADER_SIZE;
 
-  /// @param robot the robot, whose parts must outlive the object
-  /// @param settings what clients may do; must outlive the object
+  /// @param settings what clients may do
   /// @param newest_version newest version of the protocol that a client may ask for, 1 or 2
   Session(const Robot& robot, const Settings& settings, int newest_version);
 

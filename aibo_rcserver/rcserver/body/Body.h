@@ -26,7 +26,7 @@ class Body {
   Body();
 
   /// Call this in DoInit.
-  /// @param effector, speaker gates to OVirtualRobotComm.Effector and OVirtualRobotAudioComm.Speaker; must outlive it
+  /// @param effector, speaker gates to OVirtualRobotComm.Effector and OVirtualRobotAudioComm.Speaker
   void Start(OSubject* effector, OSubject* speaker);
 
   /// The name of the robot's design in OPEN-R.

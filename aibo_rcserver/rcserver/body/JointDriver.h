@@ -17,7 +17,6 @@
 class JointDriver : public MotorSwitch {
  public:
   /// Opens the joints. If one does not open, the robot is treated as having no joints, and the console says why.
-  /// @param robot must outlive the object
   explicit JointDriver(const robot_model::RobotModel& robot);
   virtual ~JointDriver() {}
 

@@ -27,7 +27,6 @@ class LightDriver {
   static const int EAR_FRAMES = 16;  ///< how long an ear is drawn, and how long it then rests
 
   /// At first, all LEDs are off, and all ears are released.
-  /// @param robot must outlive the object
   explicit LightDriver(const robot_model::RobotModel& robot);
 
   /// Opens LEDs and ears. A part that does not open is never commanded, and the console names it.

@@ -17,7 +17,7 @@ class Microphone {
   Microphone();
 
   /// Call this in DoStart. No sound is requested yet.
-  /// @param gate to OVirtualRobotAudioComm.Mic; must outlive the object
+  /// @param gate to OVirtualRobotAudioComm.Mic
   void Start(OObserver* gate);
 
   bool IsOn() const { return (settings_.mode & protocol::version2::MICROPHONE_ON) != 0; }

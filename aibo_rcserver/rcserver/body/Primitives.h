@@ -49,7 +49,6 @@ class Primitives {
 /// Iterates over the reports in a sensor vector that come from the primitives of one table.
 class SensorReports {
  public:
-  /// Both arguments must outlive the object.
   SensorReports(OSensorFrameVectorData* vector, const Primitives& primitives)
       : vector_(vector), primitives_(primitives), entry_(-1), row_(Primitives::NOT_OPEN) {}
 

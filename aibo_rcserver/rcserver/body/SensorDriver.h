@@ -10,7 +10,6 @@
 /// in the robot's table. The battery is read once a second.
 class SensorDriver {
  public:
-  /// @param robot must outlive the object
   explicit SensorDriver(const robot_model::RobotModel& robot);
 
   /// Opens the sensors. A sensor that does not open never has a value, and the console names it.

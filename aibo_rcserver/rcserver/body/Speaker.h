@@ -18,7 +18,7 @@ class Speaker {
 
   Speaker();
 
-  /// @param gate to OVirtualRobotAudioComm.Speaker; must outlive the object
+  /// @param gate to OVirtualRobotAudioComm.Speaker
   void Start(OSubject* gate) { vectors_.Start(gate); }
 
   /// Takes samples, or an order to stop.

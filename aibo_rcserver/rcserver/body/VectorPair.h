@@ -32,7 +32,7 @@ class VectorPair {
     }
   }
 
-  /// @param gate to the object that outputs the vectors; must outlive the object
+  /// @param gate to the object that outputs the vectors
   void Start(OSubject* gate) { gate_ = gate; }
 
   /// Takes over a vector that OPEN-R has created.

@@ -11,7 +11,6 @@
 /// table.
 class ColorTables {
  public:
-  /// @param camera must outlive the object
   /// @param channels number of channels that the camera has (robot_model.h)
   ColorTables(CameraControl& camera, int channels);
   ~ColorTables();

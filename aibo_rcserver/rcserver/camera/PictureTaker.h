@@ -16,7 +16,7 @@ class PictureTaker {
   PictureTaker();
 
   /// Call this in DoInit.
-  /// @param gate to the encoder; must outlive the object
+  /// @param gate to the encoder
   /// @return false if the memory could not be allocated
   bool Create(OSubject* gate) { return jobs_.Create(gate); }
 

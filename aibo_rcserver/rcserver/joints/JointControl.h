@@ -26,7 +26,6 @@ class MotorSwitch {
 /// index in the robot's table (robot_model.h), angles are in microradian, and time is in OPEN-R frames of 8 ms.
 class JointControl {
  public:
-  /// @param robot must outlive the object
   explicit JointControl(const robot_model::RobotModel& robot);
 
   const robot_model::RobotModel& Robot() const { return robot_; }

@@ -16,7 +16,6 @@ class JointOrders {
   /// frames, and servos lag. The value is our choice.
   static const unsigned FRAMES_TO_FOLLOW = 12;
 
-  /// All arguments must outlive the object.
   JointOrders(const JointPlanner& planner, const robot_model::RobotModel& robot, OrderBook& book);
 
   /// Begins a command. Its joints must have left earlier commands. A command without joints is done at once.

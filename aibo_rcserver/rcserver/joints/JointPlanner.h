@@ -30,7 +30,6 @@ class JointPlanner {
  public:
   /// At first, all joints stand at 0, or as near to it as their limits allow, with the robot's highest speeds and
   /// default accelerations.
-  /// @param robot must outlive the planner
   explicit JointPlanner(const robot_model::RobotModel& robot);
 
   /// Puts the joint at rest at this position. Call this for every joint before the gains go on. If the joint was moved

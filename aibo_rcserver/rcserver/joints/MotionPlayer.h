@@ -25,7 +25,6 @@ class MotionPlayer {
   /// ms and their queue can make it late by up to 64 ms. The value is our choice.
   static const int HELD_UP = 100;
 
-  /// All arguments must outlive the object.
   MotionPlayer(JointPlanner& planner, const robot_model::RobotModel& robot, OrderBook& orders);
 
   /// The place for the file that Play() plays, with room for mtn::MAX_FILE_SIZE bytes.

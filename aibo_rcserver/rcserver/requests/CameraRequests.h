@@ -8,7 +8,6 @@
 /// Handles requests about the camera. The answer to a request for a picture is the picture.
 class CameraRequests {
  public:
-  /// All arguments must outlive the object.
   CameraRequests(const Robot& robot, ImageObserver& camera, Exchange& exchange)
       : robot_(robot), camera_(camera), exchange_(exchange) {}
 

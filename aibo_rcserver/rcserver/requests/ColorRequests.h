@@ -9,7 +9,6 @@
 /// Loads the tables of colours, and pushes what the camera has detected with them.
 class ColorRequests {
  public:
-  /// Both arguments must outlive the object.
   ColorRequests(ColorTables& tables, Exchange& exchange);
 
   /// Call this for a new client, which gets no colours at first.

@@ -9,7 +9,6 @@
 /// Decodes the request that is being handled, and writes the answer and pushed messages into the outbox.
 class Exchange {
  public:
-  /// All arguments must outlive the object.
   Exchange(const Settings& settings, OrderBook& orders, Outbox& outbox);
 
   /// Begins to handle a request, or to answer one that has waited.

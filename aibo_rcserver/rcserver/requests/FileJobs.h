@@ -35,7 +35,7 @@ class FileDesk : public FileJobs {
   FileDesk() : has_job_(false) {}
 
   /// Call this in DoInit.
-  /// @param gate to FileKeeper; must outlive the object
+  /// @param gate to FileKeeper
   /// @return false if the memory could not be allocated
   bool Create(OSubject* gate) { return jobs_.Create(gate); }
 

@@ -21,7 +21,6 @@ class FileOrder {
   /// Room for the text of Problem().
   static const size_t MAX_PROBLEM_SIZE = 256;
 
-  /// @param jobs must outlive the object
   explicit FileOrder(FileJobs& jobs);
 
   /// Call this for a new client. It drops the request that an earlier client left pending.

@@ -16,7 +16,6 @@ class MotionCommands {
  public:
   typedef FileOrder::Outcome Outcome;
 
-  /// All arguments must outlive the object.
   MotionCommands(JointControl& joints, const MotorSwitch& motors, FileOrder& order);
 
   /// Begins to play a motion. The request is PENDING until the motion's file has been read. Commands that its joints

@@ -9,7 +9,6 @@
 /// Passes orders to joints, legs and motors, and reports how they end. StickRequests plays motions.
 class MoveRequests {
  public:
-  /// All arguments must outlive the object.
   /// @param stick ends a motion whose file is being read when the robot is told to stop
   MoveRequests(const Robot& robot, StickRequests& stick, Exchange& exchange);
 

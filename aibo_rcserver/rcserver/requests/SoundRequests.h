@@ -9,7 +9,6 @@
 /// Lets the client hear and play sound, and set the volume.
 class SoundRequests {
  public:
-  /// All arguments must outlive the object.
   SoundRequests(Microphone& microphone, Speaker& speaker, Exchange& exchange)
       : microphone_(microphone), speaker_(speaker), exchange_(exchange) {}
 

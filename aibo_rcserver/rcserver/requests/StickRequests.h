@@ -11,7 +11,6 @@
 /// FileDone() answers the request that waits.
 class StickRequests {
  public:
-  /// All arguments must outlive the object.
   StickRequests(FileOrder& files, MotionCommands& motions, ImageObserver& camera, Exchange& exchange);
 
   /// Call this for a new client, none of whose requests waits.

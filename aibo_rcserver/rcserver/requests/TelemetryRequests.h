@@ -7,7 +7,6 @@
 /// Pushes measured values at the client's period.
 class TelemetryRequests {
  public:
-  /// Both arguments must outlive the object.
   TelemetryRequests(const Robot& robot, Exchange& exchange);
 
   /// Call this for a new client, which gets no telemetry at first.

@@ -15,7 +15,7 @@
 /// complete, so an interrupted upload leaves nothing behind.
 class Version1 {
  public:
-  /// @param upload_buffer mtn::MAX_FILE_SIZE bytes, used only in version 1. All arguments must outlive the object.
+  /// @param upload_buffer mtn::MAX_FILE_SIZE bytes, used only in version 1.
   Version1(const Robot& robot, const Settings& settings, MotionCommands& motions, ImageObserver& camera, Outbox& outbox,
            unsigned char* upload_buffer);
 

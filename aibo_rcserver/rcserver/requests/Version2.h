@@ -15,7 +15,6 @@
 /// (docs/protocol.md).
 class Version2 {
  public:
-  /// All arguments must outlive the object.
   Version2(const Robot& robot, const Settings& settings, FileOrder& files, MotionCommands& motions,
            ImageObserver& camera, Outbox& outbox);
 

@@ -10,7 +10,6 @@
 /// something else moves are left alone.
 class HeadLevel {
  public:
-  /// All arguments must outlive the object.
   HeadLevel(JointPlanner& planner, const robot_model::RobotModel& robot) : planner_(planner) {
     static const char* const NAMES[COUNT] = {"neck_tilt", "head_pan", "head_tilt"};
     for (int i = 0; i < COUNT; ++i) {

@@ -11,7 +11,6 @@
 /// an ERS-7, only AreThere() and Has() may be called.
 class LegJoints {
  public:
-  /// All arguments must outlive the object.
   LegJoints(JointPlanner& planner, const robot_model::RobotModel& robot);
 
   /// False if the robot does not have the legs of an ERS-7.

@@ -33,7 +33,6 @@ class WalkGuard {
     bool paws[robot_model::NUMBER_OF_LEGS];  ///< true for each paw that is pressed
   };
 
-  /// @param gait must outlive the object
   explicit WalkGuard(const Gait& gait);
 
   /// Call this when the robot may have been moved to another place. The guard forgets the ground and the edges.

@@ -46,7 +46,6 @@ class Walker {
   static const int STEERING_FRAMES =
       (static_cast<int>(protocol::version2::STEERING_TIMEOUT_MS) - 1) / robot_model::FRAME_MILLISECONDS + 1;
 
-  /// All arguments must outlive the object.
   Walker(JointPlanner& planner, const robot_model::RobotModel& robot, OrderBook& orders);
 
   /// False if the robot's legs are not an ERS-7's. In that case, only functions that read the state may be called.
