@@ -9,10 +9,9 @@ const size_t Session::MAX_PICTURE_HEADER_SIZE;
 Session::Session(const Robot& robot, const Settings& settings, int newest_version)
     : robot_(robot),
       newest_version_(newest_version),
-      files_(robot.files),
-      motions_(robot.joints, robot.motors, files_),
-      version1_(robot_, settings, motions_, camera_, outbox_, payload_),
-      version2_(robot_, settings, files_, motions_, camera_, outbox_),
+      files_(robot.files, robot.joints, robot.motors),
+      version1_(robot_, settings, files_, camera_, outbox_, payload_),
+      version2_(robot_, settings, files_, camera_, outbox_),
       frame_reader_(payload_, sizeof(payload_)) {}
 
 void Session::Begin() {

@@ -10,7 +10,6 @@
 #include "rcserver/Outbox.h"
 #include "rcserver/camera/ImageObserver.h"
 #include "rcserver/requests/FileOrder.h"
-#include "rcserver/requests/MotionCommands.h"
 #include "rcserver/requests/Robot.h"
 #include "rcserver/requests/Version1.h"
 #include "rcserver/requests/Version2.h"
@@ -154,7 +153,6 @@ class Session {
   ImageObserver camera_;
   Outbox outbox_;
   FileOrder files_;
-  MotionCommands motions_;
   Version1 version1_;
   Version2 version2_;
   Talk talk_;

@@ -46,14 +46,10 @@ const char* MotionPlayer::Play(const protocol::MotionName& name, size_t size, in
 
 void MotionPlayer::Stop(const protocol::MotionName& name) {
   for (int i = 0; i < MAX_PLAYING; ++i) {
-    if (motions_[i].IsPlaying() && strcmp(motions_[i].Name(), name) == 0) {
+    if (motions_[i].IsPlaying() && (name[0] == '\0' || strcmp(motions_[i].Name(), name) == 0)) {
       Stop(motions_[i], STOPPED_BY_CLIENT);
     }
   }
-}
-
-void MotionPlayer::StopAll() {
-  StopAll(STOPPED_BY_CLIENT);
 }
 
 void MotionPlayer::StopAll(const EndReason& reason) {

@@ -47,10 +47,10 @@ class MotionPlayer {
   const char* Changes() const { return changes_; }
 
   /// Stops a motion, if it is being played. Its joints brake, stop and hold.
+  /// @param name the motion's name; empty means all motions
   void Stop(const protocol::MotionName& name);
 
   /// Stops all motions.
-  void StopAll();
   void StopAll(const EndReason& reason);
 
   /// Stops the motion that moves this joint, if there is one.

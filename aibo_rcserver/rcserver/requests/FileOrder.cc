@@ -6,8 +6,17 @@
 
 const size_t FileOrder::MAX_PROBLEM_SIZE;
 
-FileOrder::FileOrder(FileJobs& jobs)
-    : jobs_(jobs), is_prepared_(false), ticket_(0), operation_(FileJob::LIST), kind_(MOTION_FILE) {
+FileOrder::FileOrder(FileJobs& jobs, JointControl& joints, const MotorSwitch& motors)
+    : jobs_(jobs),
+      joints_(joints),
+      motors_(motors),
+      is_prepared_(false),
+      ticket_(0),
+      operation_(FileJob::LIST),
+      kind_(MOTION_FILE),
+      repetitions_(0),
+      leave_out_(false),
+      number_(0) {
   name_[0] = '\0';
   problem_[0] = '\0';
 }
@@ -16,6 +25,36 @@ void FileOrder::Begin() {
   jobs_.ClientGone();
   is_prepared_ = false;
   ticket_ = 0;
+}
+
+FileOrder::Outcome FileOrder::PlayMotion(const protocol::MotionName& name, int repetitions, bool leave_out,
+                                         unsigned short number) {
+  if (CheckPlay() != DONE) {
+    return REFUSED;
+  }
+  repetitions_ = repetitions;
+  leave_out_ = leave_out;
+  number_ = number;
+  joints_.ForgetOrders();
+  return Post(FileJob::READ, MOTION_FILE, name);
+}
+
+FileOrder::Outcome FileOrder::StoreMotion(const protocol::MotionName& name, const unsigned char* content, size_t size,
+                                          bool leave_out) {
+  if (size > mtn::MAX_FILE_SIZE) {
+    return Fail(REFUSED, "%lu bytes are too many: a motion may have %lu", static_cast<unsigned long>(size),
+                static_cast<unsigned long>(mtn::MAX_FILE_SIZE));
+  }
+  if (const char* problem = protocol::problemOfNewMotionName(name)) {
+    return Fail(REFUSED, "%s: %s", name, problem);
+  }
+  if (!checked_.read(content, size)) {
+    return Fail(REFUSED, "%s is not a motion file: %s", name, checked_.problem());
+  }
+  if (!fitted_.fit(checked_, joints_.Robot(), leave_out)) {
+    return Fail(REFUSED, "%s %s", name, fitted_.problem());
+  }
+  return Post(FileJob::STORE, MOTION_FILE, name, content, size);
 }
 
 FileOrder::Outcome FileOrder::Prepare() {
@@ -69,6 +108,34 @@ FileOrder::Outcome FileOrder::Finish(const FileResult& result) {
     case FileResult::DONE:
       break;
   }
+  return DONE;
+}
+
+FileOrder::Outcome FileOrder::FinishMotion(const FileResult& result) {
+  const Outcome outcome = Finish(result);
+  return outcome == DONE && operation_ == FileJob::READ ? BeginToPlay(result) : outcome;
+}
+
+FileOrder::Outcome FileOrder::CheckPlay() {
+  if (!motors_.AreOn()) {
+    return Fail(REFUSED, "the motors are off; switch them on first");
+  }
+  if (joints_.Motions().FindRoom() == NULL) {
+    return Fail(REFUSED, "%d motions are already being played; stop one first", MotionPlayer::MAX_PLAYING);
+  }
+  return DONE;
+}
+
+FileOrder::Outcome FileOrder::BeginToPlay(const FileResult& result) {
+  if (CheckPlay() != DONE) {
+    return REFUSED;
+  }
+  MotionPlayer& player = joints_.Motions();
+  memcpy(player.FindRoom(), result.content, result.size);
+  if (const char* problem = player.Play(name_, result.size, repetitions_, leave_out_, joints_.Ordered(), number_)) {
+    return Fail(REFUSED, "%s", problem);
+  }
+  joints_.MotionHasBegun();
   return DONE;
 }
 

@@ -4,11 +4,15 @@
 #include <stddef.h>
 
 #include "file_keeper/FileJob.h"
+#include "mtn/fitted_motion.h"
+#include "mtn/motion.h"
 #include "protocol/text.h"
+#include "rcserver/joints/JointControl.h"
 #include "rcserver/requests/FileJobs.h"
 
-/// Handles one request for the memory stick at a time, about a motion or a picture. The request is PENDING from
-/// Prepare() or Post() until Finish() or a problem ends it.
+/// Handles one request for the memory stick at a time, about a motion or a picture, for both versions of the protocol.
+/// The request is PENDING until Finish(), FinishMotion() or a problem ends it; until then, no other may begin. A
+/// request that fails changes nothing.
 class FileOrder {
  public:
   enum Outcome {
@@ -21,7 +25,7 @@ class FileOrder {
   /// Room for the text of Problem().
   static const size_t MAX_PROBLEM_SIZE = 256;
 
-  explicit FileOrder(FileJobs& jobs);
+  FileOrder(FileJobs& jobs, JointControl& joints, const MotorSwitch& motors);
 
   /// Call this for a new client. It drops the request that an earlier client left pending.
   void Begin();
@@ -29,8 +33,19 @@ class FileOrder {
   /// Why the last request was REFUSED or FILE_MISSING, in words that a user can act on.
   const char* Problem() const { return problem_; }
 
-  /// True while a request is PENDING: Prepare() and Post() must not be called for a new one.
+  /// True while a request is PENDING.
   bool IsPending() const { return is_prepared_ || ticket_ != 0; }
+
+  /// Begins to play a motion. The request is PENDING until the motion's file has been read. Commands that its joints
+  /// get meanwhile take precedence.
+  /// @param repetitions not below 1
+  /// @param leave_out true: play the motion without the joints that the robot does not have; false: it is REFUSED
+  /// @param number of the request of version 2, otherwise 0
+  Outcome PlayMotion(const protocol::MotionName& name, int repetitions, bool leave_out, unsigned short number = 0);
+
+  /// Stores a file, if it is a motion that this robot can play.
+  /// @param leave_out see PlayMotion()
+  Outcome StoreMotion(const protocol::MotionName& name, const unsigned char* content, size_t size, bool leave_out);
 
   /// Begins a request whose job follows later with Post().
   /// @return PENDING, or REFUSED if FileKeeper does not run
@@ -44,16 +59,18 @@ class FileOrder {
   Outcome Post(FileJob::Operation operation, FileKind kind, const protocol::FileName& name,
                const unsigned char* content = NULL, size_t size = 0);
 
-  /// The job that was posted last.
-  FileJob::Operation Operation() const { return operation_; }
+  /// The file's name in the job that was posted last.
   const protocol::FileName& Name() const { return name_; }
 
   /// True if this is the result that the pending request waits for.
   bool Awaits(const FileResult& result) const { return ticket_ != 0 && result.ticket == ticket_; }
 
-  /// Finishes the pending request. Call this only if Awaits().
+  /// Finishes the pending request, but plays no motion. Call this only if Awaits(). A list is in FileResult::list.
   /// @return the outcome, never PENDING
   Outcome Finish(const FileResult& result);
+
+  /// Does the same for a request about motions. A motion that was to be played begins.
+  Outcome FinishMotion(const FileResult& result);
 
   /// Ends the request and keeps the reason for the failure.
   /// @param format as for printf(); the text has fewer than MAX_PROBLEM_SIZE bytes
@@ -62,14 +79,25 @@ class FileOrder {
 
  private:
   Outcome FailOnMemoryStick();
+  Outcome CheckPlay();
+  Outcome BeginToPlay(const FileResult& result);
 
   FileJobs& jobs_;
+  JointControl& joints_;
+  const MotorSwitch& motors_;
   bool is_prepared_;
   unsigned ticket_;  ///< ticket of the job; 0 if FileKeeper is not working for the client
   FileJob::Operation operation_;
   FileKind kind_;
   protocol::FileName name_;
   char problem_[MAX_PROBLEM_SIZE];
+  mtn::Motion checked_;       ///< the motion that is checked before it is stored
+  mtn::FittedMotion fitted_;  ///< the same, fitted to the robot
+
+  // How to play the motion whose file is being read.
+  int repetitions_;
+  bool leave_out_;
+  unsigned short number_;
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_REQUESTS_FILE_ORDER_H

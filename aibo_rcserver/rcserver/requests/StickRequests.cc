@@ -14,9 +14,9 @@ const protocol::FileName NO_NAME = "";
 
 }  // namespace
 
-StickRequests::StickRequests(FileOrder& files, MotionCommands& motions, ImageObserver& camera, Exchange& exchange)
-    : files_(files),
-      motions_(motions),
+StickRequests::StickRequests(MotionPlayer& player, FileOrder& files, ImageObserver& camera, Exchange& exchange)
+    : player_(player),
+      files_(files),
       camera_(camera),
       exchange_(exchange),
       owes_file_(false),
@@ -26,14 +26,14 @@ StickRequests::StickRequests(FileOrder& files, MotionCommands& motions, ImageObs
 void StickRequests::StoreMotion() {
   MotionUpload upload;
   if (exchange_.Decode(&upload) && IsStickFree()) {
-    Answer(motions_.Upload(upload.name, upload.content, upload.content_size, LeavesOutMissingJoints()));
+    Answer(files_.StoreMotion(upload.name, upload.content, upload.content_size, LeavesOutMissingJoints()));
   }
 }
 
 void StickRequests::DeleteMotion() {
   MotionToDelete motion;
   if (exchange_.Decode(&motion) && IsStickFree()) {
-    Answer(motions_.Delete(motion.name));
+    Answer(files_.Post(FileJob::DELETE, MOTION_FILE, motion.name));
   }
 }
 
@@ -43,7 +43,7 @@ void StickRequests::PlayMotion() {
     return;
   }
   if (order.repetitions == 0) {
-    motions_.Stop(order.name);
+    player_.Stop(order.name);
     if (order.name[0] == '\0' || strcmp(order.name, files_.Name()) == 0) {
       EndWaitingMotion("was stopped before its file had been read");
     }
@@ -51,13 +51,14 @@ void StickRequests::PlayMotion() {
   } else if (exchange_.IsInTime(order.not_after) && IsStickFree()) {
     const bool never = order.not_after == NEVER_TOO_OLD;
     play_not_after_ = never ? NEVER_TOO_OLD : notAfter(order.not_after, FILE_READING_FRAMES);
-    Answer(motions_.Play(order.name, order.repetitions, LeavesOutMissingJoints(), exchange_.Request().request_number));
+    Answer(
+        files_.PlayMotion(order.name, order.repetitions, LeavesOutMissingJoints(), exchange_.Request().request_number));
   }
 }
 
 void StickRequests::ListMotions() {
   if (exchange_.HasNoPayload() && IsStickFree()) {
-    Answer(motions_.List());
+    Answer(files_.Post(FileJob::LIST, MOTION_FILE, NO_NAME));
   }
 }
 
@@ -156,11 +157,11 @@ void StickRequests::MotionJobDone(const FileResult& result) {
     files_.Finish(result);
     return;
   }
-  const FileOrder::Outcome outcome = motions_.Finish(result);
+  const FileOrder::Outcome outcome = files_.FinishMotion(result);
   if (pending_.kind == REQUEST_LIST && outcome == FileOrder::DONE) {
     exchange_.FinishReply(encodeFileList(result.list, exchange_.Payload()));
   } else if (pending_.kind == REQUEST_PLAY && outcome == FileOrder::DONE) {
-    const MotionChanges changes = {motions_.Changes(), strlen(motions_.Changes())};
+    const MotionChanges changes = {player_.Changes(), strlen(player_.Changes())};
     exchange_.Reply(changes);
   } else {
     Answer(outcome);

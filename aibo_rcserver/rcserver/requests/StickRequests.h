@@ -5,13 +5,12 @@
 #include "rcserver/camera/ImageObserver.h"
 #include "rcserver/requests/Exchange.h"
 #include "rcserver/requests/FileOrder.h"
-#include "rcserver/requests/MotionCommands.h"
 
 /// Only one request may wait for the memory stick. So all others can be handled at once, above all orders to stop.
 /// FileDone() answers the request that waits.
 class StickRequests {
  public:
-  StickRequests(FileOrder& files, MotionCommands& motions, ImageObserver& camera, Exchange& exchange);
+  StickRequests(MotionPlayer& player, FileOrder& files, ImageObserver& camera, Exchange& exchange);
 
   /// Call this for a new client, none of whose requests waits.
   void Begin() { owes_file_ = false; }
@@ -50,8 +49,8 @@ class StickRequests {
   void PictureJobDone(const FileResult& result);
   void Answer(FileOrder::Outcome outcome);
 
+  MotionPlayer& player_;
   FileOrder& files_;
-  MotionCommands& motions_;
   ImageObserver& camera_;
   Exchange& exchange_;
   bool owes_file_;                           ///< pending_ must be answered with a file

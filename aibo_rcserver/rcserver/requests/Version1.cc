@@ -12,11 +12,11 @@ using robot_model::NO_JOINT;
 
 const int Version1::IDENTIFIERS;
 
-Version1::Version1(const Robot& robot, const Settings& settings, MotionCommands& motions, ImageObserver& camera,
+Version1::Version1(const Robot& robot, const Settings& settings, FileOrder& files, ImageObserver& camera,
                    Outbox& outbox, unsigned char* upload_buffer)
     : robot_(robot),
       settings_(settings),
-      motions_(motions),
+      files_(files),
       camera_(camera),
       outbox_(outbox),
       request_(),
@@ -251,7 +251,7 @@ void Version1::HandleMotion() {
     return;
   }
   if (stops) {
-    motions_.Stop(name);
+    robot_.joints.Motions().Stop(name);
     Answer(FileOrder::DONE);
     return;
   }
@@ -260,10 +260,10 @@ void Version1::HandleMotion() {
       BeginUpload(name, contentSize(file));
       break;
     case REQUEST_DELETE_MOTION:
-      Answer(settings_.allow_delete ? motions_.Delete(name) : FileOrder::REFUSED);
+      Answer(settings_.allow_delete ? files_.Post(FileJob::DELETE, MOTION_FILE, name) : FileOrder::REFUSED);
       break;
     default:
-      Answer(robot_.clock.MayHaveWaited() ? FileOrder::REFUSED : motions_.Play(name, file.a, false));
+      Answer(robot_.clock.MayHaveWaited() ? FileOrder::REFUSED : files_.PlayMotion(name, file.a, false));
       break;
   }
 }
@@ -288,7 +288,7 @@ bool Version1::TakeContent(RequestReader& reader) {
     return false;
   }
   is_uploading_ = false;
-  Answer(motions_.Upload(upload_name_, upload_buffer_, uploaded_, false));
+  Answer(files_.StoreMotion(upload_name_, upload_buffer_, uploaded_, false));
   return true;
 }
 

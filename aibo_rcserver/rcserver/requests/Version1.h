@@ -5,7 +5,6 @@
 #include "rcserver/Outbox.h"
 #include "rcserver/camera/ImageObserver.h"
 #include "rcserver/requests/FileOrder.h"
-#include "rcserver/requests/MotionCommands.h"
 #include "rcserver/requests/Robot.h"
 #include "rcserver/settings/Settings.h"
 
@@ -16,7 +15,7 @@
 class Version1 {
  public:
   /// @param upload_buffer mtn::MAX_FILE_SIZE bytes, used only in version 1.
-  Version1(const Robot& robot, const Settings& settings, MotionCommands& motions, ImageObserver& camera, Outbox& outbox,
+  Version1(const Robot& robot, const Settings& settings, FileOrder& files, ImageObserver& camera, Outbox& outbox,
            unsigned char* upload_buffer);
 
   /// Call this for a new client. No upload is under way, and the block that `S` reads holds all joints and sensors.
@@ -33,7 +32,7 @@ class Version1 {
 
   /// Answers the request that has been waiting for the memory stick.
   /// @param result the result that the FileOrder awaits
-  void FileDone(const FileResult& result) { Answer(motions_.Finish(result)); }
+  void FileDone(const FileResult& result) { Answer(files_.FinishMotion(result)); }
 
  private:
   static const int IDENTIFIERS = 256;
@@ -67,7 +66,7 @@ class Version1 {
 
   const Robot& robot_;
   const Settings& settings_;
-  MotionCommands& motions_;
+  FileOrder& files_;
   ImageObserver& camera_;
   Outbox& outbox_;
   protocol::Request request_;      ///< the one that is handled, or waits for its content or the memory stick

@@ -25,11 +25,11 @@ void CopyText(const char* text, char (&out)[MAX_HELLO_TEXT_SIZE + 1]) {
 
 }  // namespace
 
-Version2::Version2(const Robot& robot, const Settings& settings, FileOrder& files, MotionCommands& motions,
-                   ImageObserver& camera, Outbox& outbox)
+Version2::Version2(const Robot& robot, const Settings& settings, FileOrder& files, ImageObserver& camera,
+                   Outbox& outbox)
     : robot_(robot),
       exchange_(settings, robot.joints.Orders(), outbox),
-      stick_(files, motions, camera, exchange_),
+      stick_(robot.joints.Motions(), files, camera, exchange_),
       moves_(robot, stick_, exchange_),
       telemetry_(robot, exchange_),
       camera_(robot, camera, exchange_),

@@ -15,8 +15,7 @@
 /// (docs/protocol.md).
 class Version2 {
  public:
-  Version2(const Robot& robot, const Settings& settings, FileOrder& files, MotionCommands& motions,
-           ImageObserver& camera, Outbox& outbox);
+  Version2(const Robot& robot, const Settings& settings, FileOrder& files, ImageObserver& camera, Outbox& outbox);
 
   /// Call this for a new client, which gets no messages that it has not asked for.
   void Begin();

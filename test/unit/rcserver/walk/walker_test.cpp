@@ -545,7 +545,7 @@ TEST_F(Fall, LeavesLegsAloneThatSomethingElseHasMovedSince) {
     feels = kOnItsSide;
     pass(400);
     EXPECT_FALSE(walker().WantsMotorsOff());
-    joints.Motions().StopAll();
+    joints.Motions().Stop(protocol::MotionName{});
     feels = kUpright;
     pass(100);
   }
