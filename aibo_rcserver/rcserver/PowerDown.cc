@@ -1,20 +1,54 @@
 #include "rcserver/PowerDown.h"
 
+#include <OPENR/OPENRAPI.h>
 #include <OPENR/OSyslog.h>
 
 const longword PowerDown::LYING_DOWN_FRAMES;
 const longword PowerDown::FILE_FRAMES;
 
-const char* PowerDown::Obey(PowerSupply::Alarm alarm) {
+const char* PowerDown::Observe(const OServiceEntry& entry) {
+  OPowerStatus wanted;
+  wanted.Set(orsbPAUSE | orsbBATTERY_CAPACITY_LOW | orsbBATTERY_CHARGING, 0, opsoREMAINING_CAPACITY_NOT_NOTIFY,
+             opsoTEMPERATURE_NOT_NOTIFY, opsoTIME_DIF_NOT_NOTIFY, opsoVOLUME_NOT_NOTIFY);
+  const OStatus status = OPENR::ObservePowerStatus(wanted, entry);
+  is_observing_ = status == oSUCCESS;
+  entry_ = entry;
+  if (!is_observing_) {
+    OSYSLOG1((osyslogERROR, "RCServer: neither the pause button nor a low battery switches the robot off (status %u)",
+              static_cast<unsigned>(status)));
+  }
+  OPowerStatus now;
+  if (OPENR::GetPowerStatus(&now) != oSUCCESS) {
+    return NULL;
+  }
+  was_pressed_ = (now.robotStatus & orsbPAUSE) != 0;
+  return Look(now);
+}
+
+void PowerDown::Unobserve() {
+  if (is_observing_) {
+    OPENR::UnobservePowerStatus(entry_);
+    is_observing_ = false;
+  }
+}
+
+const char* PowerDown::Look(const OPowerStatus& status) {
+  const bool is_pressed = (status.robotStatus & orsbPAUSE) != 0;
+  const bool is_low =
+      (status.robotStatus & (orsbBATTERY_CAPACITY_LOW | orsbBATTERY_CHARGING)) == orsbBATTERY_CAPACITY_LOW;
+  const bool begins_to_be_pressed = is_pressed && !was_pressed_;
+  const bool begins_to_be_low = is_low && !was_low_;
+  was_pressed_ = is_pressed;
+  was_low_ = is_low;
   const char* reason = NULL;
-  if (alarm == PowerSupply::PAUSE_PRESSED && !IsOrdered() && body_->Joints().Walking().IsMoving()) {
+  if (begins_to_be_pressed && !IsOrdered() && body_->Joints().Walking().IsMoving()) {
     order_ = POWER_LIE_DOWN;
     reason = "the pause button was pressed: the robot lies down and shuts down";
-  } else if (alarm == PowerSupply::PAUSE_PRESSED) {
+  } else if (begins_to_be_pressed) {
     body_->CutMotors();
     order_ = POWER_SHUT_DOWN;
     reason = "the pause button was pressed: motors off, the robot shuts down";
-  } else if (alarm == PowerSupply::BATTERY_LOW && !IsOrdered()) {
+  } else if (begins_to_be_low && !IsOrdered()) {
     order_ = POWER_LIE_DOWN;
     reason = "the battery is low: the robot lies down and shuts down";
   }

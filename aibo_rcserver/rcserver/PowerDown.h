@@ -1,14 +1,20 @@
 #ifndef AIBO_RCSERVER_RCSERVER_POWER_DOWN_H
 #define AIBO_RCSERVER_RCSERVER_POWER_DOWN_H
 
+#include <OPENR/OPENR.h>
+#include <OPENR/OPower.h>
+
 #include "rcserver/body/Body.h"
-#include "rcserver/body/PowerSupply.h"
 #include "rcserver/requests/FileJobs.h"
 #include "rcserver/requests/Robot.h"
 
 /// Carries out an order to switch the robot off or to reboot it. A client, the pause button or a low battery gives the
 /// order. The motors go off at once, unless the robot has to lie down. After the client has been informed and has gone,
 /// the robot lies down or goes off.
+///
+/// The pause button and the battery are observed as by the SDK's POWERMON.BIN. If neither this class nor that program
+/// does so, the pause button does nothing and the battery runs down. A battery that is being charged never counts as
+/// low.
 ///
 /// Times are OPEN-R frames.
 class PowerDown {
@@ -22,7 +28,15 @@ class PowerDown {
   static const longword FILE_FRAMES = 375;
 
   explicit PowerDown(const FileDesk& files)
-      : files_(files), body_(NULL), order_(POWER_STAYS_ON), is_noted_(false), noted_since_(0), lies_down_since_(0) {}
+      : files_(files),
+        body_(NULL),
+        is_observing_(false),
+        was_pressed_(false),
+        was_low_(false),
+        order_(POWER_STAYS_ON),
+        is_noted_(false),
+        noted_since_(0),
+        lies_down_since_(0) {}
 
   /// Call this once, before all other functions except Order().
   void Begin(Body* body) { body_ = body; }
@@ -33,9 +47,16 @@ class PowerDown {
   /// True if the robot is going off, so that nobody commands it any more.
   bool IsOrdered() const { return order_ != POWER_STAYS_ON; }
 
-  /// Gives the order that follows from an alarm, and says so on the console.
+  /// Asks OPEN-R to call an entry whenever the button or the battery changes (Level2 Reference Guide, page 79), and
+  /// looks at the current status. If OPEN-R refuses, the console says so. A button that is already pressed is ignored
+  /// until it is pressed again, because it may have booted the robot.
+  /// @return see Look()
+  const char* Observe(const OServiceEntry& entry);
+  void Unobserve();
+
+  /// Gives the order that follows from a status, and says so on the console.
   /// @return the reason, for the client; NULL if nothing changes
-  const char* Obey(PowerSupply::Alarm alarm);
+  const char* Look(const OPowerStatus& status);
 
   /// Call this when an order may have been given. The motors go off, unless the robot has to lie down.
   void Note(longword now);
@@ -57,6 +78,10 @@ class PowerDown {
 
   const FileDesk& files_;
   Body* body_;
+  OServiceEntry entry_;
+  bool is_observing_;
+  bool was_pressed_;
+  bool was_low_;
   PowerOrder order_;
   bool is_noted_;
   longword noted_since_;

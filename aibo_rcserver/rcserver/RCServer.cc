@@ -114,7 +114,7 @@ OStatus RCServer::DoStart(const OSystemEvent&) {
 }
 
 OStatus RCServer::DoStop(const OSystemEvent&) {
-  power_supply_.Unobserve();
+  power_down_.Unobserve();
   DISABLE_ALL_SUBJECT;
   DEASSERT_READY_TO_ALL_OBSERVER;
   return oSUCCESS;
@@ -211,7 +211,7 @@ void RCServer::ReadySpeaker(const OReadyEvent& event) {
 
 void RCServer::PowerChanged(ANTENVMSG msg) {
   const OPowerStatusMessage* message = static_cast<const OPowerStatusMessage*>(msg);
-  Obey(power_supply_.Look(message->powerStatus));
+  GoOff(power_down_.Look(message->powerStatus));
 }
 
 void RCServer::ListenCont(ANTENVMSG msg) {
@@ -329,13 +329,11 @@ void RCServer::ObservePower() {
     OSYSPRINT(("RCServer: pause button and battery are left to POWERMON.BIN (POWER_MONITOR in RCSERVER.CFG)\n"));
     return;
   }
-  power_supply_.Observe(OServiceEntry(myOID_, Extra_Entry[entryPowerChanged]));
-  Obey(power_supply_.LookNow());
+  GoOff(power_down_.Observe(OServiceEntry(myOID_, Extra_Entry[entryPowerChanged])));
 }
 
-// A client is told of the order first. DropClient() then carries it out.
-void RCServer::Obey(PowerSupply::Alarm alarm) {
-  const char* const reason = power_down_.Obey(alarm);
+// Tells the client why the robot goes off. DropClient() then carries out the order. A reason of NULL changes nothing.
+void RCServer::GoOff(const char* reason) {
   if (reason == NULL) {
     return;
   }

@@ -15,7 +15,6 @@
 #include "rcserver/Session.h"
 #include "rcserver/SystemMilliseconds.h"
 #include "rcserver/body/Body.h"
-#include "rcserver/body/PowerSupply.h"
 #include "rcserver/camera/PictureDatagrams.h"
 #include "rcserver/camera/PictureTaker.h"
 #include "rcserver/requests/FileJobs.h"
@@ -36,7 +35,7 @@
 /// not commanded.
 ///
 /// The pause button cuts the motors and shuts the robot down. A low battery makes the robot lie down first
-/// (PowerSupply.h). While the robot walks or takes a posture, the pause button, too, makes it lie down first, because
+/// (PowerDown.h). While the robot walks or takes a posture, the pause button, too, makes it lie down first, because
 /// it would fall without its motors. A second press cuts the motors.
 class RCServer : public OObject {
  public:
@@ -116,7 +115,7 @@ class RCServer : public OObject {
 
   bool CreateRegions();
   void ObservePower();
-  void Obey(PowerSupply::Alarm alarm);
+  void GoOff(const char* reason);
   void PassTime(longword frame);
   void CheckClient();
   bool IsClientSilent() const;
@@ -176,7 +175,6 @@ class RCServer : public OObject {
   bool has_asked_;        ///< the newcomer has sent a request, and the client was asked for a sign
   longword quiet_since_;  ///< frame in which the newcomer came, the client was asked, or last sent or took bytes
   Body* body_;            ///< exists from DoInit to DoDestroy
-  PowerSupply power_supply_;
   FrameClock clock_;
   FileDesk file_desk_;
   PowerDown power_down_;
