@@ -2,8 +2,7 @@
 
 #include <string.h>
 
-using protocol::version2::HeardSound;
-using protocol::version2::MicrophoneSettings;
+using namespace protocol::version2;
 
 namespace {
 
@@ -35,7 +34,7 @@ void Microphone::Start(OObserver* gate) {
 }
 
 void Microphone::Set(const MicrophoneSettings& settings) {
-  const bool on = (settings.mode & protocol::version2::MICROPHONE_ON) != 0;
+  const bool on = (settings.mode & MICROPHONE_ON) != 0;
   if (on != IsOn()) {
     if (on) {
       gate_->AssertReady();
@@ -82,7 +81,7 @@ HeardSound Microphone::Convert(OSoundVectorData* vector, unsigned char* out) {
     for (int channel = 0; channel < settings_.channels; ++channel) {
       const int sample = halves ? Filtered(channel) : samples[channel];
       protocol::encodeBigEndian16(static_cast<unsigned>(sample), out + heard.samples_size);
-      heard.samples_size += protocol::version2::BYTES_PER_SAMPLE;
+      heard.samples_size += BYTES_PER_SAMPLE;
     }
     ++heard.count;
   }

@@ -8,12 +8,7 @@
 #include "protocol/version2.h"
 
 using protocol::decodeBigEndianSigned16;
-using protocol::version2::BYTES_PER_SAMPLE;
-using protocol::version2::MAX_VOLUME;
-using protocol::version2::PlayedSound;
-using protocol::version2::SoundEnd;
-using protocol::version2::SPEAKER_CAPACITY;
-using protocol::version2::VOLUME_OF_ROBOT;
+using namespace protocol::version2;
 
 namespace {
 
@@ -24,7 +19,7 @@ const char LOCATOR[] = "PRM:/s1-Speaker:S1";
 const char LOCATOR_IN_HEAD[] = "PRM:/r1/c1/c2/c3/s1-Speaker:S1";
 
 const unsigned SAMPLES_PER_SECOND = 16000;
-const unsigned MOST_STARVED = protocol::version2::SPEAKER_TIMEOUT_MS * (SAMPLES_PER_SECOND / 1000);
+const unsigned MOST_STARVED = SPEAKER_TIMEOUT_MS * (SAMPLES_PER_SECOND / 1000);
 
 // The volume of each step (Model Information ERS-7, 3.1.2).
 const longword VOLUMES[MAX_VOLUME + 1] = {ospkvolinfdB, ospkvol25dB, ospkvol18dB, ospkvol10dB};
@@ -52,7 +47,7 @@ const char* Speaker::Play(const PlayedSound& part) {
     return NULL;  // the part without samples only asks for the progress
   }
   if (part.position == 0 && size == 0) {
-    End(protocol::version2::END_STOPPED);
+    End(END_STOPPED);
     return NULL;
   }
   const char* const problem = part.position == 0 && size <= SPEAKER_CAPACITY ? Begin() : NULL;
@@ -70,7 +65,7 @@ const char* Speaker::Begin() {
   if (!vectors_.IsConnected()) {
     return "the robot's speaker takes no sound: CONNECT.CFG on the memory stick does not connect it";
   }
-  End(protocol::version2::END_REPLACED);
+  End(END_REPLACED);
   sound_ = Sound();
   sound_.is_playing = true;
   return NULL;
@@ -123,10 +118,10 @@ void Speaker::End(unsigned char how) {
 
 void Speaker::IsReady() {
   if (vectors_.IsReady() && sound_.vectors_until_end > 0 && --sound_.vectors_until_end == 0) {
-    End(protocol::version2::END_DONE);
+    End(END_DONE);
   }
   if (sound_.is_playing && sound_.starved >= MOST_STARVED) {
-    End(protocol::version2::END_REFUSED);
+    End(END_REFUSED);
   }
   Send();
 }

@@ -2,11 +2,7 @@
 
 #include <string.h>
 
-using protocol::version2::COLOR_CENTROID_SCALE;
-using protocol::version2::ColorRegion;
-using protocol::version2::ColorRegions;
-using protocol::version2::MAX_COLOR_CHANNELS;
-using protocol::version2::packColorPlane;
+using namespace protocol::version2;
 
 namespace {
 

@@ -3,9 +3,7 @@
 #include <OPENR/OPENRAPI.h>
 #include <OPENR/OSyslog.h>
 
-using protocol::version2::COLOR_SEGMENTS;
-using protocol::version2::ColorSegment;
-using protocol::version2::ColorTable;
+using namespace protocol::version2;
 
 namespace {
 

@@ -5,22 +5,14 @@
 #include <entry.h>
 #include <string.h>
 
-using protocol::version2::DATAGRAM_HEADER_SIZE;
-using protocol::version2::DATAGRAM_PART_SIZE;
-using protocol::version2::DatagramOrder;
-using protocol::version2::DatagramStatus;
-using protocol::version2::ImageHeader;
-using protocol::version2::KEPT_PICTURES;
-using protocol::version2::MAX_DATAGRAM_SIZE;
-using protocol::version2::PARTS_PER_PARITY;
-using protocol::version2::PictureDatagram;
+using namespace protocol::version2;
 
 namespace {
 
 // Size of the IPStack's send buffer: two packets, as in Sony's sample UDPEchoServer, so that few datagrams wait.
 const size_t ENDPOINT_POOL_SIZE = 2 * MAX_DATAGRAM_SIZE;
 
-const size_t RECEIVE_SIZE = protocol::version2::DATAGRAM_STATUS_SIZE + 1;  // one more byte, to detect longer datagrams
+const size_t RECEIVE_SIZE = DATAGRAM_STATUS_SIZE + 1;  // one more byte, to detect longer datagrams
 const size_t DATAGRAM_OFFSET = KEPT_PICTURES * ENCODED_PICTURE_CAPACITY;
 const size_t PARITY_OFFSET = DATAGRAM_OFFSET + MAX_DATAGRAM_SIZE;
 const size_t RECEIVE_OFFSET = PARITY_OFFSET + DATAGRAM_PART_SIZE;
@@ -122,7 +114,7 @@ void PictureDatagrams::Send(const ImageHeader& image, const byte* jpeg, size_t s
   Kept(next_picture_) = picture;
   ++next_picture_;
   unsent_part_ = 0;
-  number_of_parts_ = protocol::version2::numberOfParts(size);
+  number_of_parts_ = numberOfParts(size);
   has_parities_ = to_be_protected_ > 0;
   to_be_protected_ -= has_parities_ ? 1 : 0;
   SendNext();
@@ -143,7 +135,7 @@ void PictureDatagrams::Received(const UDPEndpointReceiveMsg& answer) {
   const bool is_from_client =
       answer.error == UDP_SUCCESS && answer.address.Address() == receiver_ && answer.port == order_.port;
   const size_t size = is_from_client ? static_cast<size_t>(answer.size) : 0;
-  protocol::version2::LossReport loss;
+  LossReport loss;
   DatagramStatus status;
   if (decode(ReceiveBuffer(), size, &status) == NULL) {
     Acknowledge(status.picture);
@@ -167,7 +159,7 @@ void PictureDatagrams::Repeat(const DatagramStatus& status) {
   if (status.missing == 0 || status.picture != acknowledged_ || behind == 0 || behind > KEPT_PICTURES) {
     return;
   }
-  const size_t sent = behind == 1 ? unsent_part_ : protocol::version2::numberOfParts(Kept(status.picture).size);
+  const size_t sent = behind == 1 ? unsent_part_ : numberOfParts(Kept(status.picture).size);
   const size_t count = sent < status.first_part ? 0 : sent - status.first_part;
   is_repairing_ = true;
   missing_picture_ = status.picture;
@@ -228,11 +220,11 @@ void PictureDatagrams::SendPart() {
   const byte* const content = picture.jpeg + part * DATAGRAM_PART_SIZE;
   ++unsent_part_;
   if (has_parities_) {
-    const size_t size = protocol::version2::sizeOfPart(picture.size, part);
+    const size_t size = sizeOfPart(picture.size, part);
     if (part % PARTS_PER_PARITY == 0) {
       memset(ParityBuffer(), 0, size);
     }
-    protocol::version2::addToParity(content, size, ParityBuffer());
+    addToParity(content, size, ParityBuffer());
     is_parity_due_ = unsent_part_ % PARTS_PER_PARITY == 0 || unsent_part_ == number_of_parts_;
   }
   SendContent(next_picture_ - 1, false, part, content);
@@ -258,7 +250,7 @@ void PictureDatagrams::SendContent(unsigned picture, bool is_parity, size_t part
   const KeptPicture& kept = Kept(picture);
   const PictureDatagram header = {is_parity, static_cast<unsigned short>(part), next_sequence_,
                                   picture,   static_cast<unsigned>(kept.size),  kept.image};
-  const size_t size = protocol::version2::sizeOfPart(kept.size, part);
+  const size_t size = sizeOfPart(kept.size, part);
   ++next_sequence_;
   encode(header, DatagramBuffer());
   memcpy(DatagramBuffer() + DATAGRAM_HEADER_SIZE, content, size);
@@ -266,7 +258,7 @@ void PictureDatagrams::SendContent(unsigned picture, bool is_parity, size_t part
 }
 
 void PictureDatagrams::SendTest() {
-  protocol::version2::encodeTest(order_, DatagramBuffer());
+  encodeTest(order_, DatagramBuffer());
   SendDatagram(MAX_DATAGRAM_SIZE);
 }
 

@@ -2,10 +2,7 @@
 
 #include <algorithm>
 
-using protocol::version2::END_REFUSED;
-using protocol::version2::END_REPLACED;
-using protocol::version2::END_STOPPED;
-using protocol::version2::Velocity;
+using namespace protocol::version2;
 
 JointControl::JointControl(const robot_model::RobotModel& robot)
     : robot_(robot),
@@ -22,8 +19,8 @@ JointControl::JointControl(const robot_model::RobotModel& robot)
   ForgetOrders();
 }
 
-void JointControl::SetTargets(protocol::version2::JointTargets* targets, unsigned short number) {
-  int joints[protocol::version2::MAX_JOINTS];
+void JointControl::SetTargets(JointTargets* targets, unsigned short number) {
+  int joints[MAX_JOINTS];
   for (int i = 0; i < targets->count; ++i) {
     const int joint = Find(targets->joints[i].id);
     joints[i] = joint;

@@ -3,10 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-using protocol::version2::ARRIVAL_FRAMES;
-using protocol::version2::ARRIVED;
-using protocol::version2::END_DONE;
-using protocol::version2::END_REFUSED;
+using namespace protocol::version2;
 
 namespace {
 
@@ -25,7 +22,7 @@ JointOrders::JointOrders(const JointPlanner& planner, const robot_model::RobotMo
 }
 
 void JointOrders::Begin(const int* joints, int count, unsigned short number) {
-  const int order = book_.Begin(protocol::version2::ENDED_JOINTS, number, "");
+  const int order = book_.Begin(ENDED_JOINTS, number, "");
   for (int i = 0; i < count; ++i) {
     const OrderedJoint joint = {order, planner_.Target(joints[i]), false, 0};
     joints_[joints[i]] = joint;

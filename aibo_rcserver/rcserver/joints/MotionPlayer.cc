@@ -3,8 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-using protocol::version2::END_DONE;
-using protocol::version2::END_STOPPED;
+using namespace protocol::version2;
 using robot_model::NO_JOINT;
 
 namespace {
@@ -39,7 +38,7 @@ const char* MotionPlayer::Play(const protocol::MotionName& name, size_t size, in
     return problem_;
   }
   motion.DescribeChanges(planner_, changes_);
-  motion.Start(repetitions, orders_.Begin(protocol::version2::ENDED_MOTION, number, name));
+  motion.Start(repetitions, orders_.Begin(ENDED_MOTION, number, name));
   newest_ = &motion;
   return NULL;
 }

@@ -4,11 +4,7 @@
 
 #include <algorithm>
 
-using protocol::version2::Posture;
-using protocol::version2::POSTURE_REST;
-using protocol::version2::POSTURE_SIT;
-using protocol::version2::POSTURE_STAND;
-using protocol::version2::Velocity;
+using namespace protocol::version2;
 using robot_model::Leg;
 using robot_model::LegAngles;
 using robot_model::NUMBER_OF_LEGS;

@@ -6,20 +6,7 @@
 
 #include <algorithm>
 
-using protocol::version2::END_DONE;
-using protocol::version2::END_FELL;
-using protocol::version2::END_REFUSED;
-using protocol::version2::END_REPLACED;
-using protocol::version2::END_STOPPED;
-using protocol::version2::ENDED_POSTURE;
-using protocol::version2::ENDED_WALK;
-using protocol::version2::Posture;
-using protocol::version2::POSTURE_REST;
-using protocol::version2::POSTURE_SIT;
-using protocol::version2::POSTURE_STAND;
-using protocol::version2::POSTURE_WALK;
-using protocol::version2::Velocity;
-using protocol::version2::WALK_NAME;
+using namespace protocol::version2;
 using robot_model::LegAngles;
 using robot_model::NO_JOINT;
 using robot_model::NUMBER_OF_LEGS;
@@ -335,8 +322,7 @@ bool Walker::TakeSoftened() {
   return has_softened;
 }
 
-protocol::version2::Posture Walker::Now(const int* positions) const {
-  using namespace protocol::version2;
+Posture Walker::Now(const int* positions) const {
   switch (fall_watch_.Now()) {
     case FallWatch::ON_LEFT_SIDE:
     case FallWatch::ON_RIGHT_SIDE:
@@ -361,11 +347,11 @@ protocol::version2::Posture Walker::Now(const int* positions) const {
   return postures_.Is(POSTURE_REST, legs) ? POSTURE_REST : POSTURE_UNKNOWN;
 }
 
-protocol::version2::WalkState Walker::State() const {
+WalkState Walker::State() const {
   if (!IsWalk()) {
-    return protocol::version2::WALK_STATE_NONE;
+    return WALK_STATE_NONE;
   }
-  return activity_ == WALKING ? protocol::version2::WALK_STATE_WALKS : protocol::version2::WALK_STATE_GETS_READY;
+  return activity_ == WALKING ? WALK_STATE_WALKS : WALK_STATE_GETS_READY;
 }
 
 // Begins an order in place of the present one. A walk that was to end anyway ends for its own reason.
@@ -483,7 +469,7 @@ void Walker::Walk() {
 }
 
 void Walker::ChangeVelocity() {
-  const protocol::version2::WalkLimits& limits = gait_.Parameters().highest;
+  const WalkLimits& limits = gait_.Parameters().highest;
   Velocity target = walk_.ends ? NO_VELOCITY : walk_.wanted;
   if (walk_.is_guarded) {
     target.forward = std::min(target.forward, guard_.HighestForward());
@@ -504,7 +490,7 @@ void Walker::ChangeVelocity() {
 
 // Corrects the velocity a little in each frame, because a foot must not jump.
 void Walker::CorrectVelocity() {
-  const protocol::version2::WalkLimits& limits = gait_.Parameters().highest;
+  const WalkLimits& limits = gait_.Parameters().highest;
   walk_.pace.correction.forward = Corrected(walk_.pace.correction.forward, walk_.pace.missing.forward, limits.forward);
   walk_.pace.correction.left = Corrected(walk_.pace.correction.left, walk_.pace.missing.left, limits.left);
   walk_.pace.correction.turn = Corrected(walk_.pace.correction.turn, walk_.pace.missing.turn, limits.turn);
