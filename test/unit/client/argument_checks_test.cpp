@@ -3,9 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <functional>
 #include <optional>
-#include <string>
 
 #include "aibo_client/rcserver_client.h"
 #include "support/refusal.h"

@@ -1,5 +1,4 @@
 // Resolution and rate of the stream, and the camera's settings.
-#include <gmock/gmock.h>
 
 #include "client/fault.h"
 #include "version2_fixture.h"
@@ -7,16 +6,10 @@
 using namespace aibo_client;
 using namespace test_support;
 using std::chrono::milliseconds;
-using test_pictures::Bytes;
 
 namespace {
 
-class CameraRequestsTest : public Version2SessionFixture {
- public:
-  std::future<Answer> takePictureOf(std::optional<Resolution> resolution) {
-    return add(callForPicture(0, resolution), milliseconds(2000));
-  }
-};
+using CameraRequestsTest = Version2SessionFixture;
 
 TEST_F(CameraRequestsTest, TheStreamIsRequestedAgainWheneverItShouldDiffer) {
   begin();
@@ -55,7 +48,7 @@ TEST_F(CameraRequestsTest, ARobotWithoutDoubleResolutionStreamsHighOneAndTheLogS
   EXPECT_EQ("W 50 1 0 0 2", request());
   EXPECT_EQ("", request());
   EXPECT_EQ(1, logged("double resolution; they have 208x160 pixels"));
-  takePictureOf(std::nullopt);
+  takePicture(0);
   EXPECT_EQ("F 50 0", request()) << "like the stream's";
 }
 
@@ -72,7 +65,7 @@ TEST_F(CameraRequestsTest, APictureOfAnotherResolutionThanTheRunningStreamsIsFor
   stream();
   const auto delivered_for = [this](Resolution resolution) {
     const std::size_t before = pictures_.size();
-    auto taken = takePictureOf(resolution);
+    auto taken = takePicture(0, milliseconds(2000), resolution);
     request();
     answer(version2_frames::makePicture(test_pictures::makeNumbered(1), 1));
     EXPECT_TRUE(taken.get().picture);
@@ -115,8 +108,8 @@ TEST_F(CameraRequestsTest, ASettingThatTheRobotRefusesIsLoggedAndTheRestGoesOn) 
 TEST_F(CameraRequestsTest, APictureHasTheSettingsThatTheRobotTells) {
   begin();
   stream();
-  Bytes payload = version2_frames::makePicture(test_pictures::makeNumbered(1), 1);
-  for (const std::uint8_t settings : Bytes{0, 0x9b, 0x7d}) {  // docs/protocol.md
+  test_pictures::Bytes payload = version2_frames::makePicture(test_pictures::makeNumbered(1), 1);
+  for (const std::uint8_t settings : test_pictures::Bytes{0, 0x9b, 0x7d}) {  // docs/protocol.md
     payload[15] = settings;
     push('f', payload);
   }

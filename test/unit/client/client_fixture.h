@@ -4,10 +4,6 @@
 
 #include <gmock/gmock.h>
 
-#include <chrono>
-#include <cstdint>
-#include <string>
-
 #include "aibo_client/exceptions.h"
 #include "aibo_client/rcserver_client.h"
 #include "recorder.h"

@@ -1,20 +1,11 @@
 // The colour detection: what the client asks for, and what it believes.
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <memory>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "client/fault.h"
 #include "protocol/color_requests.h"
 #include "version2_fixture.h"
 
 using namespace aibo_client;
-using std::chrono::milliseconds;
 using test_pictures::Bytes;
-using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 using version2_frames::makeFrame;
@@ -79,7 +70,7 @@ TEST_F(ColorsTest, TablesAreSentBeforeTheDetectionIsSwitchedOnAndOnlyThen) {
   EXPECT_EQ("Z 2 0 0 0 0", request());
   ASSERT_THAT(frame_.payload, SizeIs(4 + 4 * version2::COLOR_SEGMENTS));
   EXPECT_THAT(Bytes(frame_.payload.begin() + 4, frame_.payload.begin() + 12),
-              ElementsAre(128, 128, 128, 128, 1, 2, 3, 4));
+              testing::ElementsAre(128, 128, 128, 128, 1, 2, 3, 4));
   EXPECT_EQ("Z 2 6 0 0 0", request());
   EXPECT_EQ("Z 1 0 2 0 0", request());
   EXPECT_EQ("", request());
@@ -144,7 +135,7 @@ TEST_F(ColorsTest, TheMaskIsUnpacked) {
   colors.count = 1;
   push(colors, {1, 1, 0, 0, 1, 254, 0});
   ASSERT_THAT(colors_, SizeIs(1));
-  EXPECT_THAT(colors_[0].mask, ElementsAre(1, 0, 1, 0, 0, 0));
+  EXPECT_THAT(colors_[0].mask, testing::ElementsAre(1, 0, 1, 0, 0, 0));
   EXPECT_NE("", whyGivenUp([&] { push(colors, {1, 1, 0}); })) << "too short";
 }
 
@@ -170,7 +161,7 @@ TEST_F(ColorsTest, WhatContradictsItselfIsNotBelieved) {
     ASSERT_THAT(colors_.back().regions, SizeIs(1));
     EXPECT_EQ(colors_.back().regions[0].pixels, 100U);
     EXPECT_DOUBLE_EQ(colors_.back().regions[0].y, 40.5);
-    pass(milliseconds(20));
+    pass(std::chrono::milliseconds(20));
   }
   EXPECT_EQ(counters_.impossible_values, 2 * impossible.size());
   EXPECT_EQ(logged("impossible colours"), 1);
@@ -206,7 +197,7 @@ TEST_F(ColorsTest, WhatWasNotAskedForIsLeftOut) {
 TEST_F(ColorsTest, MoreThanTwiceAsManyAsAskedForAreDroppedAndCounted) {
   detectBall();
   for (int i = 0; i < 100; ++i) {
-    pass(milliseconds(1));
+    pass(std::chrono::milliseconds(1));
     push(regionsOf({kBall}));
   }
   EXPECT_LT(colors_.size(), 20U);

@@ -3,9 +3,6 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <string>
-#include <utility>
-#include <vector>
 
 using namespace aibo_client;
 using std::chrono::milliseconds;

@@ -2,11 +2,6 @@
 #ifndef TEST_UNIT_CLIENT_DATAGRAMS_FIXTURE_H
 #define TEST_UNIT_CLIENT_DATAGRAMS_FIXTURE_H
 
-#include <algorithm>
-#include <iterator>
-#include <string>
-#include <vector>
-
 #include "support/picture_datagrams.h"
 #include "version2_fixture.h"
 
@@ -66,16 +61,13 @@ class DatagramsFixture : public Version2SessionFixture {
   }
 
   /// `every_32_ms` is called for each image of the camera.
-  template <typename Action>
-  void live(milliseconds time, const Action& every_32_ms) {
+  void live(
+      milliseconds time, const std::function<void()>& every_32_ms = [] {}) {
     for (milliseconds passed(0); passed < time; passed += milliseconds(32)) {
       every_32_ms();
       wait(milliseconds(32));
     }
     answer();
-  }
-  void live(milliseconds time) {
-    live(time, [] {});
   }
 
   /// Lets time pass while nothing comes. At its end, TCP has repeated what was lost.

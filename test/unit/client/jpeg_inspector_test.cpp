@@ -2,16 +2,10 @@
 
 #include <gmock/gmock.h>
 
-#include <string>
-#include <utility>
-
 #include "support/test_pictures.h"
 
-using aibo_client::inspectJpeg;
-using aibo_client::JpegInspection;
 using test_pictures::Bytes;
 using test_pictures::PictureKind;
-using testing::HasSubstr;
 
 namespace {
 
@@ -31,7 +25,7 @@ constexpr std::uint8_t kDqt = 0xDB;
 constexpr std::uint8_t kComment = 0xFE;
 
 std::string problemOf(const Bytes& jpeg) {
-  return inspectJpeg(jpeg.data(), jpeg.size()).problem;
+  return aibo_client::inspectJpeg(jpeg.data(), jpeg.size()).problem;
 }
 
 /// The ordinary picture with one byte of a segment set to another value.
@@ -56,7 +50,7 @@ TEST(JpegInspectorTest, PicturesOfEverySizeACameraHasAreGood) {
     kind.width = width;
     kind.height = height;
     const Bytes jpeg = test_pictures::make(kind);
-    const JpegInspection inspection = inspectJpeg(jpeg.data(), jpeg.size());
+    const aibo_client::JpegInspection inspection = aibo_client::inspectJpeg(jpeg.data(), jpeg.size());
     EXPECT_TRUE(inspection.good()) << inspection.problem;
     EXPECT_EQ(width, inspection.width);
     EXPECT_EQ(height, inspection.height);
@@ -111,7 +105,7 @@ TEST(JpegInspectorTest, WhatIsNoWholeBaselineJpegIsRefused) {
       {test_pictures::make(progressive), "not a baseline JPEG"},
   };
   for (const auto& [bytes, problem] : rows) {
-    EXPECT_THAT(problemOf(bytes), HasSubstr(problem));
+    EXPECT_THAT(problemOf(bytes), testing::HasSubstr(problem));
   }
 }
 

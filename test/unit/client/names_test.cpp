@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <utility>
-
 #include "aibo_client/exceptions.h"
 #include "support/refusal.h"
 

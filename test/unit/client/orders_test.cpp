@@ -1,8 +1,6 @@
 // How orders get from a user's thread to the client's, and how they end with connections.
-#include <gmock/gmock.h>
 
 #include <atomic>
-#include <future>
 #include <mutex>
 
 #include "client_fixture.h"
@@ -10,8 +8,6 @@
 using namespace aibo_client;
 using std::chrono::milliseconds;
 using test_support::kSafetyNet;
-using testing::EndsWith;
-using testing::HasSubstr;
 using version2_frames::makeFrame;
 using version2_frames::textOf;
 
@@ -56,12 +52,12 @@ TEST_F(Orders, HaveTheirNumbersAndTheirTimes) {
   auto posture = client_.beginPosture(Posture::kSit, kSafetyNet, {never, 73});
   refuse('E');
   EXPECT_THROW(posture.get(), CommandException);
-  EXPECT_THAT(recorder_.reports().orders, EndsWith("73:E; ")) << "before its call ends";
+  EXPECT_THAT(recorder_.reports().orders, testing::EndsWith("73:E; ")) << "before its call ends";
   auto motion = client_.beginMotion("NOD.MTN", 1, kSafetyNet, {never, 74});
   refuse('P');
   EXPECT_THROW(motion.get(), CommandException);
   client_.steer({0.0004, 0, -0.0004}, {TimePoint(), 79});
-  EXPECT_THAT(textOf(peer.readRequest()), EndsWith(" 0 0 0 0 0 0 0 0")) << "zeros are never too old";
+  EXPECT_THAT(textOf(peer.readRequest()), testing::EndsWith(" 0 0 0 0 0 0 0 0")) << "zeros are never too old";
   client_.commandJoints({{2, 0.1}}, milliseconds(0), {TimePoint(), 75});
   client_.steer({0, 0.1, 0}, {TimePoint(), 76});
   const std::string too_old =
@@ -72,7 +68,7 @@ TEST_F(Orders, HaveTheirNumbersAndTheirTimes) {
   EXPECT_THAT(refusalOf<CommandException>([&] {
                 client_.playMotion("NOD.MTN", 1, kSafetyNet, {TimePoint(), 78});
               }),
-              HasSubstr("is " + too_old));
+              testing::HasSubstr("is " + too_old));
 }
 
 // It counts its frames from 0 again.

@@ -2,16 +2,10 @@
 
 #include <gmock/gmock.h>
 
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "client/notifier.h"
 
 namespace aibo_client {
 namespace {
-
-using ::testing::HasSubstr;
 
 TEST(NotifierLogTest, AFloodIsLimitedAndSaysSo) {
   aibo_system::RateLimit::TimePoint now{std::chrono::hours(1)};
@@ -24,7 +18,7 @@ TEST(NotifierLogTest, AFloodIsLimitedAndSaysSo) {
   }
   ASSERT_EQ(lines.size(), std::size_t{Notifier::kLogBurst} + 1);
   EXPECT_EQ(lines[Notifier::kLogBurst - 1], "a message");
-  EXPECT_THAT(lines[Notifier::kLogBurst], HasSubstr("are left out"));
+  EXPECT_THAT(lines[Notifier::kLogBurst], testing::HasSubstr("are left out"));
   for (const char* const left_out : {"980", "1"}) {
     lines.clear();
     now += Notifier::kLogPeriod;
@@ -32,7 +26,7 @@ TEST(NotifierLogTest, AFloodIsLimitedAndSaysSo) {
     notifier.log(LogLevel::kWarn, "one too many");
     ASSERT_EQ(2u, lines.size());
     EXPECT_EQ(std::string("a later one (earlier messages left out: ") + left_out + ")", lines[0]);
-    EXPECT_THAT(lines[1], HasSubstr("are left out"));
+    EXPECT_THAT(lines[1], testing::HasSubstr("are left out"));
   }
 }
 

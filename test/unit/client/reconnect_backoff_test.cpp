@@ -4,7 +4,6 @@
 
 #include <set>
 
-using aibo_client::ReconnectBackoff;
 using std::chrono::milliseconds;
 
 namespace {
@@ -12,7 +11,7 @@ namespace {
 TEST(ReconnectBackoffTest, WaitsDoubleUpToTheLimitLessAnotherPartForEachClientHalfAtMost) {
   std::set<milliseconds> last_waits;
   for (unsigned seed = 1; seed < 200; ++seed) {
-    ReconnectBackoff backoff(milliseconds(100), milliseconds(2000), seed);
+    aibo_client::ReconnectBackoff backoff(milliseconds(100), milliseconds(2000), seed);
     for (const int whole : {100, 200, 400, 800, 1600, 2000, 2000, 2000}) {
       const milliseconds wait = backoff.next();
       EXPECT_GE(wait, milliseconds(whole / 2));

@@ -58,16 +58,6 @@ class Recorder {
     return waitFor([this, state] { return !reports_.statuses.empty() && reports_.statuses.back().state == state; });
   }
 
-  /// Waits until some status had a reason that contains this text.
-  bool waitForReason(const std::string& text) {
-    return waitFor([this, &text] {
-      return std::any_of(reports_.statuses.begin(), reports_.statuses.end(),
-                         [&text](const aibo_client::ConnectionStatus& status) {
-                           return status.reason.find(text) != std::string::npos && !status.advice.empty();
-                         });
-    });
-  }
-
   /// What was reported so far.
   Reports reports() const {
     const std::lock_guard<std::mutex> lock(mutex_);

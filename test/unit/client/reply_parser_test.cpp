@@ -2,20 +2,12 @@
 
 #include <gmock/gmock.h>
 
-#include <initializer_list>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "client/fault.h"
 #include "support/refusal.h"
 #include "support/test_pictures.h"
 
-using aibo_client::ProtocolException;
 using aibo_client::ReplyParser;
 using test_pictures::Bytes;
-using testing::ElementsAre;
-using testing::HasSubstr;
 
 namespace {
 
@@ -43,7 +35,7 @@ class ReplyParserTest : public testing::Test {
   }
 
   std::string complaintAbout(const Bytes& bytes) {
-    return test_support::refusalOf<ProtocolException>([&] { feed(bytes); });
+    return test_support::refusalOf<aibo_client::ProtocolException>([&] { feed(bytes); });
   }
 
   ReplyParser parser_;
@@ -63,7 +55,7 @@ TEST_F(ReplyParserTest, RepliesAreFoundWhereverTheyAreCutInTwo) {
     feed(Bytes(middle, replies.end()), 20);
     EXPECT_TRUE(parser_.betweenReplies());
     EXPECT_EQ(TimePoint() + std::chrono::milliseconds(10), first_byte_time_);
-    EXPECT_THAT(std::exchange(found_, {}), ElementsAre(payload));
+    EXPECT_THAT(std::exchange(found_, {}), testing::ElementsAre(payload));
   }
   replies.insert(replies.end(), value.begin(), value.end());
   const Bytes last = test_pictures::makeReply(largest);
@@ -72,7 +64,7 @@ TEST_F(ReplyParserTest, RepliesAreFoundWhereverTheyAreCutInTwo) {
     feed({byte});
   }
   feed(replies);
-  EXPECT_THAT(found_, ElementsAre(payload, Bytes{'j', 3}, largest, payload, Bytes{'j', 3}, largest));
+  EXPECT_THAT(found_, testing::ElementsAre(payload, Bytes{'j', 3}, largest, payload, Bytes{'j', 3}, largest));
 }
 
 TEST_F(ReplyParserTest, APictureOfImpossibleSizeIsAProtocolError) {
@@ -84,7 +76,7 @@ TEST_F(ReplyParserTest, APictureOfImpossibleSizeIsAProtocolError) {
   };
   for (const auto& [header, complaint] : rows) {
     parser_ = ReplyParser();
-    EXPECT_THAT(complaintAbout(header), HasSubstr(complaint));
+    EXPECT_THAT(complaintAbout(header), testing::HasSubstr(complaint));
   }
 }
 
@@ -92,7 +84,7 @@ TEST_F(ReplyParserTest, AReplyOfNoKnownKindIsAProtocolErrorAtItsFirstByte) {
   for (const int letter : std::initializer_list<int>{'F', 'W', 'w', 'z', '\0', 0xFF, 0x80, '<', 'H'}) {
     parser_ = ReplyParser();
     EXPECT_THAT(complaintAbout({static_cast<std::uint8_t>(letter)}),
-                HasSubstr("begins with byte " + std::to_string(letter)));
+                testing::HasSubstr("begins with byte " + std::to_string(letter)));
   }
 }
 

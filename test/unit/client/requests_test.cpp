@@ -1,22 +1,13 @@
 // What each function of RcServerClient sends, and what it makes of the answer: the tables of docs/protocol.md.
-#include <gmock/gmock.h>
 
-#include <algorithm>
 #include <cmath>
-#include <functional>
-#include <future>
-#include <memory>
-#include <string>
-#include <vector>
 
 #include "client_fixture.h"
 #include "protocol/stick_pictures.h"
 
 using namespace aibo_client;
 using std::chrono::milliseconds;
-using std::chrono::seconds;
 using test_pictures::Bytes;
-using testing::AllOf;
 using testing::HasSubstr;
 
 namespace {
@@ -274,14 +265,14 @@ TEST_F(Requests, WithoutAConnectionAreRefusedAndNotKept) {
 TEST_F(Requests, ThatTheServerDoesNotKnowAreRefusedByName) {
   const ScriptedPeer peer = connectVersion2("F W");
   EXPECT_THAT(refusalOf<CommandException>([this] { client_.steer(kWalk); }),
-              AllOf(HasSubstr("(a test 1.0)"), HasSubstr("cannot walk: its robot does not walk")));
-  EXPECT_THAT(refusalOf<CommandException>([this] { client_.takePosture(Posture::kSit, seconds(1)); }),
+              testing::AllOf(HasSubstr("(a test 1.0)"), HasSubstr("cannot walk: its robot does not walk")));
+  EXPECT_THAT(refusalOf<CommandException>([this] { client_.takePosture(Posture::kSit, std::chrono::seconds(1)); }),
               HasSubstr("cannot take the posture sit: its robot does not walk"));
 }
 
 // argument_checks_test.cpp has the ranges of what several functions share.
 TEST_F(Requests, WithWrongArgumentsAreNotSent) {
-  const seconds time(1);
+  const std::chrono::seconds time(1);
   ColorTable table;
   table.segments[0] = ColorRange{2, 1, 3, 4};
   CameraSettings camera;
@@ -289,27 +280,24 @@ TEST_F(Requests, WithWrongArgumentsAreNotSent) {
   const std::vector<std::int16_t> too_many(kMostSamplesAtOnce + 1);
   const std::vector<JointTarget> negative_speed = {{1, 0, -1}};
   const std::vector<LedCommand> too_bright = {{1, 256}};
+  const StreamFormat no_image{Resolution::kHigh, 0};
+  const StreamFormat too_few_images{Resolution::kHigh, 65536};
+  const ColorDetection rare_detection{true, 65536, false};
+  const MicrophoneSettings three_channels{true, 3, 16000};
+  const MicrophoneSettings odd_rate{true, 2, 11025};
+  const WalkVelocity too_fast{0, -32.768, 0};
+  const WalkVelocity no_number{0, 0, std::nan("")};
   const std::function<void()> calls[] = {
       [&] { client_.setJpegQuality(0); },
       [&] { client_.setJpegQuality(101); },
-      [&] {
-        client_.setStreamFormat(StreamFormat{Resolution::kHigh, 0});
-      },
-      [&] {
-        client_.setStreamFormat(StreamFormat{Resolution::kHigh, 65536});
-      },
-      [&] {
-        client_.setColorDetection(ColorDetection{true, 65536, false});
-      },
+      [&] { client_.setStreamFormat(no_image); },
+      [&] { client_.setStreamFormat(too_few_images); },
+      [&] { client_.setColorDetection(rare_detection); },
       [&] { client_.setColorTable(kMostColorChannels, nullptr); },
       [&] { client_.setColorTable(0, std::make_shared<ColorTable>(table)); },
       [&] { client_.setCameraSettings(camera); },
-      [&] {
-        client_.setMicrophone(MicrophoneSettings{true, 3, 16000});
-      },
-      [&] {
-        client_.setMicrophone(MicrophoneSettings{true, 2, 11025});
-      },
+      [&] { client_.setMicrophone(three_channels); },
+      [&] { client_.setMicrophone(odd_rate); },
       [&] { client_.setTelemetryPeriod(-1); },
       [&] { client_.setTelemetryPeriod(65536); },
       [&] { client_.takePicture(101, time); },
@@ -318,12 +306,8 @@ TEST_F(Requests, WithWrongArgumentsAreNotSent) {
       [&] { client_.commandJoints(negative_speed, milliseconds(0)); },
       [&] { client_.setJointSpeedLimits({}); },
       [&] { client_.hold({0}, time); },
-      [&] {
-        client_.steer(WalkVelocity{0, -32.768, 0});
-      },
-      [&] {
-        client_.steer(WalkVelocity{0, 0, std::nan("")});
-      },
+      [&] { client_.steer(too_fast); },
+      [&] { client_.steer(no_number); },
       [&] { client_.commandLeds(too_bright); },
       [&] { client_.playMotion("../NOD.MTN", 1, time); },
       [&] { client_.playMotion("NOD.MTN", 0, time); },

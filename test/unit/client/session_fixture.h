@@ -4,14 +4,9 @@
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <future>
-#include <memory>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "aibo_client/exceptions.h"
 #include "client/connection.h"
@@ -78,8 +73,9 @@ class SessionFixture : public testing::Test {
     return whyGivenUp([this, time] { pass(time); });
   }
 
-  std::future<Answer> takePicture(int quality, milliseconds timeout = milliseconds(2000)) {
-    return add(test_support::callForPicture(quality), timeout);
+  std::future<Answer> takePicture(int quality, milliseconds timeout = milliseconds(2000),
+                                  std::optional<aibo_client::Resolution> resolution = {}) {
+    return add(test_support::callForPicture(quality, resolution), timeout);
   }
 
   /// Orders are numbered from kFirstOrder on.

@@ -1,10 +1,4 @@
 // Sound: what the client asks for, what it believes, and what it sends.
-#include <gmock/gmock.h>
-
-#include <future>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "client_fixture.h"
 #include "protocol/sound_requests.h"
@@ -13,12 +7,7 @@
 using namespace aibo_client;
 using namespace test_support;
 using std::chrono::milliseconds;
-using std::chrono::seconds;
 using test_pictures::Bytes;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::SizeIs;
 
 namespace version2 = protocol::version2;
 
@@ -92,8 +81,6 @@ class SoundTest : public Version2SessionFixture {
   }
 };
 
-// ---- What the robot hears
-
 TEST_F(SoundTest, TheMicrophonesAreAskedForOnlyWhenAndAsOftenAsThatIsWanted) {
   begin();
   EXPECT_EQ("", request()) << "nobody listens";
@@ -116,13 +103,13 @@ TEST_F(SoundTest, TheMicrophonesAreAskedForOnlyWhenAndAsOftenAsThatIsWanted) {
 TEST_F(SoundTest, WhatTheRobotHearsIsDeliveredWithItsFrame) {
   listen(2, 16000);
   push(kHeard, {1, -2, 32767, -32768});
-  ASSERT_THAT(heard_, SizeIs(1));
+  ASSERT_THAT(heard_, testing::SizeIs(1));
   EXPECT_EQ(kHeard, heard_[0].frame_number);
   EXPECT_EQ(3U, heard_[0].connection_number);
   EXPECT_EQ(now_, heard_[0].arrival);
   EXPECT_EQ(2, heard_[0].channels);
   EXPECT_EQ(16000, heard_[0].samples_per_second);
-  EXPECT_THAT(heard_[0].samples, ElementsAre(1, -2, 32767, -32768));
+  EXPECT_THAT(heard_[0].samples, testing::ElementsAre(1, -2, 32767, -32768));
 }
 
 TEST(Sound, WhatIsMissingBetweenTwoPushesIsCounted) {
@@ -137,7 +124,7 @@ TEST(Sound, WhatIsMissingBetweenTwoPushesIsCounted) {
       robot.push(kHeard + frame, std::vector<std::int16_t>(static_cast<std::size_t>(2 * samples_per_frame)), 1);
       missing.push_back(robot.heard_.back().missing);
     }
-    EXPECT_THAT(missing, ElementsAre(0, 0, 3 * samples_per_frame, 0));
+    EXPECT_THAT(missing, testing::ElementsAre(0, 0, 3 * samples_per_frame, 0));
     EXPECT_EQ(1U, robot.counters_.sound_gaps);
     EXPECT_EQ(4U, robot.counters_.sounds);
   }
@@ -150,7 +137,7 @@ TEST_F(SoundTest, NothingIsMissingAfterAPause) {
     wanted_.microphone.on = on;
     request();
     answer(encoded(version2::MicrophoneSettings{on, 2, 16000}));
-    live(seconds(10));
+    live(std::chrono::seconds(10));
   }
   push(kHeard + 1000, kSixteenMilliseconds);
   EXPECT_EQ(0U, heard_.back().missing) << "nobody has listened";
@@ -164,9 +151,9 @@ TEST_F(SoundTest, SoundThatNobodyAskedForOrFromBeforeAChangeIsDropped) {
   push(kHeard, kSixteenMilliseconds, 1);
   agree(1, 8000);  // the rate of a push is that of the settings, so one from before would be misunderstood
   push(kHeard + 2, kSixteenMilliseconds, 2);
-  EXPECT_THAT(heard_, IsEmpty());
+  EXPECT_THAT(heard_, testing::IsEmpty());
   push(kHeard + 2, kSixteenMilliseconds, 1);
-  ASSERT_THAT(heard_, SizeIs(1));
+  ASSERT_THAT(heard_, testing::SizeIs(1));
   EXPECT_EQ(8000, heard_[0].samples_per_second);
 }
 
@@ -209,8 +196,6 @@ TEST_F(SoundTest, NoMoreIsMissingThanTimeHasPassed) {
   }
   EXPECT_GE(22U * 16000, missing) << "in 16 seconds";
 }
-
-// ---- What the robot plays
 
 TEST_F(SoundTest, TheEndOfASoundIsToldOnceWithTheRobotsCounts) {
   begin();

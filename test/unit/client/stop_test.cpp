@@ -1,16 +1,9 @@
-#include <gmock/gmock.h>
-
-#include <future>
-#include <memory>
-
 #include "client/tcp_transport.h"
 #include "client_fixture.h"
 
 using namespace aibo_client;
-using std::chrono::milliseconds;
 using std::chrono::seconds;
 using std::chrono::steady_clock;
-using test_pictures::Bytes;
 
 namespace {
 
@@ -57,7 +50,7 @@ TEST_F(StopTest, WhileWaitingToReconnect) {
   Recorder recorder;
   RcServerClient client(options, recorder.callbacks());
   client.start();
-  ASSERT_TRUE(recorder.waitForReason("refused"));
+  ASSERT_TRUE(eventually([&] { return recorder.logged("refused") > 0; }));
   expectToStopSoon(&client);
 }
 
@@ -139,7 +132,8 @@ TEST_F(StopTest, FromSeveralThreadsAtOnceReturnsToEachOfThemWhenTheThreadHasEnde
     }));
   }
   for (auto& each : stops) {
-    EXPECT_EQ(std::future_status::timeout, each.wait_for(milliseconds(50))) << "a callback is still running";
+    EXPECT_EQ(std::future_status::timeout, each.wait_for(std::chrono::milliseconds(50)))
+        << "a callback is still running";
   }
   release.set_value();
   for (auto& each : stops) {

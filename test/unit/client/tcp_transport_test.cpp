@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
-#include <cstdint>
 #include <future>
 #include <random>
 
@@ -15,15 +13,13 @@
 
 using namespace aibo_client;
 using std::chrono::milliseconds;
-using std::chrono::seconds;
-using std::chrono::steady_clock;
 using test_support::ScriptedPeer;
 using test_support::ScriptedServer;
 
 namespace {
 
 TimePoint in(milliseconds time) {
-  return steady_clock::now() + time;
+  return std::chrono::steady_clock::now() + time;
 }
 
 TimePoint soon() {
@@ -85,7 +81,7 @@ TEST(TcpTransportTest, AnAddressThatFailsOrDoesNotAnswerLeavesTimeForTheNextOne)
       result.addresses.push_back(resolveWithSystem("127.0.0.1", server.port()).addresses.front());
       return result;
     });
-    EXPECT_NO_THROW(transport.connect("robot", 54321, in(seconds(4))));
+    EXPECT_NO_THROW(transport.connect("robot", 54321, in(std::chrono::seconds(4))));
     server.accept();
   }
 }
@@ -109,7 +105,7 @@ TEST(TcpTransportTest, AWaitIsShortAndEndsAtOnceIfItIsWokenUpBefore) {
   EXPECT_FALSE(transport.wait(end).connection);
   transport.wakeUp();
   EXPECT_FALSE(transport.wait(end).connection);
-  EXPECT_LT(steady_clock::now(), end);
+  EXPECT_LT(std::chrono::steady_clock::now(), end);
 }
 
 TEST(TcpTransportTest, ANameLookupThatHangsEndsAtTheDeadlineAndIsTakenUpAgainByTheNextAttempt) {
@@ -148,7 +144,7 @@ TEST(TcpTransportTest, BytesThatTheNetworkDoesNotTakeAtOnceAreSentWhileWaiting) 
   }
   request.resize(sent);
   auto received = std::async(std::launch::async, [&] { return peer.read(request.size()); });
-  while (received.wait_for(seconds(0)) != std::future_status::ready) {
+  while (received.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
     EXPECT_FALSE(transport.wait(in(milliseconds(10))).connection);
   }
   EXPECT_TRUE(request == received.get());
@@ -169,27 +165,29 @@ TEST(TcpTransportTest, APeerThatNeverReadsIsGivenUp) {
 }
 
 TEST(TcpTransportTest, DatagramsAreAnsweredToTheRobotsPortWhoeverElseSendsSome) {
-  ScriptedServer server;
-  TcpTransport transport;
-  transport.connect("127.0.0.1", server.port(), soon());
-  const ScriptedPeer peer = server.accept();
-  ASSERT_TRUE(transport.openDatagrams());
-  DatagramSocket& datagrams = transport.datagrams();
-  test_support::UdpSocket robot;
-  test_support::UdpSocket stranger("127.0.0.2");
-  std::uint8_t buffer[16];
-  std::size_t size = 0;
-  EXPECT_FALSE(datagrams.receive(buffer, sizeof buffer, &size));
-  robot.send(datagrams.port(), {1, 2, 3});
-  EXPECT_EQ(datagrams.receive(buffer, sizeof buffer, &size), DatagramSocket::Origin::kPeer);
-  EXPECT_EQ(size, 3u);
-  datagrams.replyToLastSender();
-  stranger.send(datagrams.port(), {4});
-  EXPECT_EQ(datagrams.receive(buffer, sizeof buffer, &size), DatagramSocket::Origin::kForeign);
-  const std::uint8_t reply[] = {'a', 0, 7};
-  datagrams.reply(reply, sizeof reply);
-  EXPECT_EQ(robot.next(), (std::vector<std::uint8_t>{'a', 0, 7}));
-  EXPECT_FALSE(stranger.next());
+  for (const char* const host : {"127.0.0.1", "::ffff:127.0.0.1"}) {  // the whole IPv6 address counts
+    ScriptedServer server;
+    TcpTransport transport;
+    transport.connect(host, server.port(), soon());
+    const ScriptedPeer peer = server.accept();
+    ASSERT_TRUE(transport.openDatagrams());
+    DatagramSocket& datagrams = transport.datagrams();
+    test_support::UdpSocket robot;
+    test_support::UdpSocket stranger("127.0.0.2");
+    std::uint8_t buffer[16];
+    std::size_t size = 0;
+    EXPECT_FALSE(datagrams.receive(buffer, sizeof buffer, &size));
+    robot.send(datagrams.port(), {1, 2, 3});
+    EXPECT_EQ(datagrams.receive(buffer, sizeof buffer, &size), DatagramSocket::Origin::kPeer) << host;
+    EXPECT_EQ(size, 3u);
+    datagrams.replyToLastSender();
+    stranger.send(datagrams.port(), {4});
+    EXPECT_EQ(datagrams.receive(buffer, sizeof buffer, &size), DatagramSocket::Origin::kForeign) << host;
+    const std::uint8_t reply[] = {'a', 0, 7};
+    datagrams.reply(reply, sizeof reply);
+    EXPECT_EQ(robot.next(), (std::vector<std::uint8_t>{'a', 0, 7}));
+    EXPECT_FALSE(stranger.next());
+  }
 }
 
 }  // namespace

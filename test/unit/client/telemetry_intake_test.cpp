@@ -2,22 +2,14 @@
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
-#include <limits>
-#include <string>
-#include <vector>
-
 #include "client/picture_intake.h"
 #include "robot_model/robot_model.h"
 
 namespace aibo_client {
 namespace {
 
-using std::chrono::microseconds;
 using std::chrono::milliseconds;
-using ::testing::AllOf;
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
 constexpr int kHeadPan = 2;
@@ -138,7 +130,7 @@ TEST_F(TelemetryIntakeTest, AnImpossiblePositionIsDroppedCountedAndLoggedOnce) {
 TEST_F(TelemetryIntakeTest, OfAJointThatIsThereTwiceAndOfAnImpossibleDutyTheRestIsDelivered) {
   measure({{kKnee, 0.5}, {kKnee, 0.51}});
   EXPECT_THAT(delivered_.at(0).joints, SizeIs(1));
-  EXPECT_THAT(log_, ElementsAre(HasSubstr("left_front_knee appears twice")));
+  EXPECT_THAT(log_, ElementsAre(testing::HasSubstr("left_front_knee appears twice")));
   measure({{kKnee, 0.5, 2.147}, {kHeadPan, 0.5, -1.0}});
   EXPECT_FALSE(delivered_.at(1).joints.at(0).duty);
   EXPECT_EQ(delivered_[1].joints.at(1).duty, -1.0);
@@ -149,13 +141,14 @@ TEST_F(TelemetryIntakeTest, WhatComesTooOftenIsThinnedToTwiceTheRateAskedForAndT
   intake_.askedFor(8);
   constexpr std::size_t kMessages = 33000;
   for (std::size_t i = 0; i < kMessages; ++i) {  // in 1 s
-    now_ += microseconds(30);
+    now_ += std::chrono::microseconds(30);
     measure({{kHeadPan, 0}});
   }
   const double twice = 2 * 15.625;
-  EXPECT_THAT(delivered_, SizeIs(AllOf(testing::Ge(twice), testing::Le(twice + TelemetryIntake::kMostAtOnce + 1))));
+  EXPECT_THAT(delivered_,
+              SizeIs(testing::AllOf(testing::Ge(twice), testing::Le(twice + TelemetryIntake::kMostAtOnce + 1))));
   EXPECT_EQ(counters_.thinned_telemetry, kMessages - delivered_.size());
-  EXPECT_THAT(log_, ElementsAre(HasSubstr("more than twice as often as it was asked to")));
+  EXPECT_THAT(log_, ElementsAre(testing::HasSubstr("more than twice as often as it was asked to")));
 }
 
 TEST_F(TelemetryIntakeTest, WhatWasAskedForIsNeverThinnedAlsoIfTheRadioHeldItUp) {

@@ -1,19 +1,12 @@
 // How the client chooses between TCP and UDP.
-#include <gmock/gmock.h>
 
-#include <string>
-#include <vector>
-
-#include "client/fault.h"
 #include "client/transport_choice.h"
+#include "client/fault.h"
 #include "datagrams_fixture.h"
 
 using namespace aibo_client;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
 
 namespace {
 
@@ -92,7 +85,7 @@ TEST_F(TransportChoiceTest, WhereNoTestComesNoPictureIsLostAndTheReasonIsToldUnt
   watch(milliseconds(700));
   EXPECT_EQ("", connection_.transport_problem);
   watch(milliseconds(100));
-  EXPECT_THAT(connection_.transport_problem, HasSubstr("no test datagram has come; a firewall"));
+  EXPECT_THAT(connection_.transport_problem, testing::HasSubstr("no test datagram has come; a firewall"));
   watch(seconds(9));
   EXPECT_EQ(4, tests_);
   EXPECT_EQ("", ways_);
@@ -112,7 +105,7 @@ TEST_F(TransportChoiceTest, UdpIsUsedAfterOneTestAndTriedAgainAfterDatagramsHave
   lets_through_ = false;
   watch(milliseconds(1500));
   EXPECT_EQ("UT", ways_);
-  EXPECT_THAT(connection_.transport_problem, HasSubstr("no datagram has come for 1 s"));
+  EXPECT_THAT(connection_.transport_problem, testing::HasSubstr("no datagram has come for 1 s"));
   lets_through_ = true;
   watch(milliseconds(9000));
   EXPECT_EQ("UT", ways_);
@@ -134,7 +127,7 @@ TEST(TransportChoicePauseTest, ThePauseDoesNotGrowForEver) {
     pauses.push_back(std::chrono::round<seconds>(choice.nextLook() - now).count());
     now = choice.nextLook();
   }
-  EXPECT_THAT(pauses, ElementsAre(10, 20, 40, 80, 160, 160));
+  EXPECT_THAT(pauses, testing::ElementsAre(10, 20, 40, 80, 160, 160));
 }
 
 TEST_F(TransportChoiceTest, OnlyTheRobotsTestCounts) {
@@ -153,7 +146,7 @@ TEST_F(TransportChoiceTest, OnlyTheRobotsTestCounts) {
       EXPECT_FALSE(kind == 'B' && !isTest());
     }
   }
-  EXPECT_THAT(replies_, IsEmpty());
+  EXPECT_THAT(replies_, testing::IsEmpty());
   arrive(good);
   EXPECT_EQ('B', request());
   EXPECT_FALSE(isTest());
@@ -170,10 +163,10 @@ TEST_F(TransportChoiceTest, PicturesByUdpWaitALittleForThoseThatWereSentByTcpBef
   ++picture_;
   pictures_before_order_ = 1;
   arrive(nextPicture());
-  EXPECT_THAT(delivered(), IsEmpty());
+  EXPECT_THAT(delivered(), testing::IsEmpty());
   arriveByTcp(1, frameOf(1));
   answer(order, order.payload);
-  EXPECT_THAT(delivered(), ElementsAre(1, 2));
+  EXPECT_THAT(delivered(), testing::ElementsAre(1, 2));
   EXPECT_EQ(PictureTransport::kUdp, connection_.transport);
 }
 
@@ -206,20 +199,6 @@ TEST_F(TransportChoiceTest, AfterAChangeByTheUserUdpIsTriedAtOnce) {
   ++wanted_.transport_changes;
   watch(milliseconds(64));
   EXPECT_EQ("U", ways_);
-}
-
-TEST_F(TransportChoiceTest, IfOnlyUdpIsWantedItIsUsedWithoutATest) {
-  wanted_.transport = PictureTransport::kUdp;
-  lets_through_ = false;
-  answerAll();
-  EXPECT_EQ("U", ways_);
-  EXPECT_EQ(0, tests_);
-  watch(milliseconds(1500));
-  EXPECT_THAT(connection_.transport_problem, HasSubstr("no datagram"));
-  lets_through_ = true;
-  watch(seconds(11));
-  EXPECT_EQ("UTU", ways_);
-  EXPECT_EQ("", connection_.transport_problem);
 }
 
 }  // namespace

@@ -2,9 +2,6 @@
 #ifndef TEST_UNIT_CLIENT_VERSION2_FIXTURE_H
 #define TEST_UNIT_CLIENT_VERSION2_FIXTURE_H
 
-#include <algorithm>
-#include <string>
-
 #include "client/version2_session.h"
 #include "session_fixture.h"
 #include "support/version2_frames.h"
