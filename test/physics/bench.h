@@ -12,7 +12,7 @@
 #include "protocol/walk_requests.h"
 #include "simulator/openr_host/clock.h"
 #include "simulator/openr_host/machine.h"
-#include "support/test_client.h"
+#include "support/raw_client.h"
 
 namespace physics {
 

@@ -1,42 +1,51 @@
 /// @file raw_client.h
+/// TCP clients of 127.0.0.1 that send and read exactly what a test asks for.
 #ifndef TEST_SUPPORT_RAW_CLIENT_H
 #define TEST_SUPPORT_RAW_CLIENT_H
 
+#include <netinet/in.h>
 #include <poll.h>
 #include <sys/socket.h>
 
 #include <cerrno>
 #include <chrono>
+#include <cstdint>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
+#include "protocol/version1.h"
+#include "protocol/version2.h"
 #include "support/proxy/fault.h"
 #include "support/sockets.h"
 
 namespace test_support {
 
-/// A client that sends and reads exactly what a test asks for. What it does not read stays in the kernel; see
-/// TestClient for one that always reads everything.
+/// What it does not read stays in the kernel.
 class RawClient {
  public:
   using milliseconds = std::chrono::milliseconds;
 
-  /// Connects to a port of 127.0.0.1, with small buffers, like the driver.
-  /// @throw std::system_error
-  explicit RawClient(int port) : socket_(beginConnecting("127.0.0.1", port)) {
+  /// @param buffer_size bytes that the kernel may hold for it in each direction; 0 = the kernel's default
+  /// @param from this client's own address; Linux has all of 127.0.0.0/8
+  /// @throw std::system_error if the server refuses
+  explicit RawClient(int port, int buffer_size = kSmallBuffer, const std::string& from = "")
+      : socket_(beginConnecting("127.0.0.1", port, buffer_size, from)) {
     pollfd polled = {socket_.get(), POLLOUT, 0};
     ::poll(&polled, 1, 5000);
-    int error = 0;
-    socklen_t size = sizeof error;
-    ::getsockopt(socket_.get(), SOL_SOCKET, SO_ERROR, &error, &size);
-    errno = error;
-    check(error == 0 || error == ECONNRESET, "connect");  // a reset may already have come
+    errno = error();
+    check(errno == 0 || errno == ECONNRESET, "connect");  // a reset may already have come
   }
 
+  /// This client's own port.
+  int port() const { return portOf(socket_); }
+
   /// Sends as much as the kernel takes now.
-  /// @return false if the connection has ended
-  bool send(const std::string& bytes) {
-    return ::send(socket_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL) >= 0 || errno == EAGAIN;
+  /// @return bytes sent; below 0 if the connection has ended
+  ssize_t send(const std::string& bytes) {
+    const ssize_t sent = ::send(socket_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    return sent < 0 && errno == EAGAIN ? 0 : sent;
   }
 
   /// Reads the bytes that are there, and waits for the first one.
@@ -66,8 +75,142 @@ class RawClient {
     return bytes;
   }
 
- private:
+  void close() { socket_.close(); }
+
+  /// Closes so that the server sees a reset.
+  void reset() {
+    resetWhenClosed(socket_);
+    close();
+  }
+
+ protected:
+  /// The socket's error since the last call; 0 if there is none.
+  int error() const {
+    int error = 0;
+    socklen_t size = sizeof error;
+    ::getsockopt(socket_.get(), SOL_SOCKET, SO_ERROR, &error, &size);
+    return error;
+  }
+
   host_files::FileDescriptor socket_;
+};
+
+/// What a server sent in version 1: a picture or a reply of four bytes.
+struct Reply {
+  char letter = '\0';
+  std::vector<uint8_t> jpeg;     ///< of a picture
+  protocol::ValueReply value{};  ///< of any other reply
+};
+
+/// A frame that a server sent in version 2.
+struct Frame {
+  protocol::version2::FrameHeader header{};
+  std::vector<uint8_t> payload;
+};
+
+/// A client that never waits, for tests that run the server on the same thread. Each look at it reads everything.
+class TestClient : public RawClient {
+ public:
+  /// @param receive_buffer and `from` as for RawClient
+  explicit TestClient(int port, int receive_buffer = 0, const std::string& from = "")
+      : RawClient(port, receive_buffer, from) {}
+
+  /// All that has come so far, except what next(), nextFrame() and take() have returned.
+  const std::string& received() {
+    look();
+    return received_;
+  }
+
+  /// The next whole reply, if it is here already.
+  std::optional<Reply> next() {
+    look();
+    const bool is_picture = !received_.empty() && received_[0] == protocol::REPLY_PICTURE;
+    const size_t header = is_picture ? protocol::PICTURE_HEADER_SIZE : protocol::VALUE_REPLY_SIZE;
+    if (received_.size() < header) {
+      return std::nullopt;
+    }
+    size_t size = 0;
+    if (is_picture && !protocol::decodePictureHeader(bytes(), &size)) {
+      throw std::runtime_error("a picture of " + std::to_string(size) + " bytes");
+    }
+    if (received_.size() < header + size) {
+      return std::nullopt;
+    }
+    Reply reply;
+    reply.letter = received_[0];
+    if (!is_picture) {
+      reply.value = protocol::decodeValueReply(bytes());
+    }
+    consume(header);
+    reply.jpeg = consume(size);
+    return reply;
+  }
+
+  /// The next `size` bytes; nothing unless they are all here.
+  std::vector<uint8_t> take(size_t size) {
+    look();
+    return received_.size() < size ? std::vector<uint8_t>() : consume(size);
+  }
+
+  /// The next frame of version 2, if it has arrived completely.
+  std::optional<Frame> nextFrame() {
+    using protocol::version2::FRAME_HEADER_SIZE;
+    look();
+    if (received_.size() < FRAME_HEADER_SIZE) {
+      return std::nullopt;
+    }
+    Frame frame;
+    frame.header = protocol::version2::decodeFrameHeader(bytes());
+    if (received_.size() < FRAME_HEADER_SIZE + frame.header.payload_size) {
+      return std::nullopt;
+    }
+    consume(FRAME_HEADER_SIZE);
+    frame.payload = consume(frame.header.payload_size);
+    return frame;
+  }
+
+  /// True if the server has closed or reset the connection; next() may still find what it sent before.
+  bool ended() {
+    look();
+    return ended_;
+  }
+
+  /// True if the server has closed the connection in an orderly way, so that all it sent is here.
+  bool isAtEnd() { return ended() && !was_reset_; }
+
+  /// True if the server has reset the connection, which loses what was on its way.
+  bool wasReset() {
+    look();
+    return was_reset_ || error() != 0;  // from a reset after an orderly end
+  }
+
+ private:
+  void look() {
+    char bytes[65536];
+    while (!ended_) {
+      const ssize_t size = ::recv(socket_.get(), bytes, sizeof(bytes), 0);
+      if (size > 0) {
+        received_.append(bytes, static_cast<size_t>(size));
+      } else if (size < 0 && (errno == EAGAIN || errno == EINTR)) {
+        return;
+      } else {
+        ended_ = true;
+        was_reset_ = size < 0;
+      }
+    }
+  }
+
+  const uint8_t* bytes() const { return reinterpret_cast<const uint8_t*>(received_.data()); }
+
+  std::vector<uint8_t> consume(size_t size) {
+    std::vector<uint8_t> taken(bytes(), bytes() + size);
+    received_.erase(0, size);
+    return taken;
+  }
+
+  std::string received_;
+  bool ended_ = false;
+  bool was_reset_ = false;
 };
 
 }  // namespace test_support

@@ -3,8 +3,6 @@
 #ifndef TEST_SUPPORT_SCRIPTED_SERVER_H
 #define TEST_SUPPORT_SCRIPTED_SERVER_H
 
-#include <netinet/in.h>
-#include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/socket.h>
 
@@ -164,10 +162,7 @@ class ScriptedServer {
   }
 
   /// Has the kernel take only few unread bytes from later clients.
-  void limitReceiveBuffer() {
-    const int size = 4096;
-    check(::setsockopt(socket_.get(), SOL_SOCKET, SO_RCVBUF, &size, sizeof size) == 0, "SO_RCVBUF");
-  }
+  void limitReceiveBuffer() { setOption(socket_, SOL_SOCKET, SO_RCVBUF, 4096); }
 
   /// Stops listening; the port stays reserved.
   void vanish() {
@@ -183,8 +178,6 @@ class ScriptedServer {
     }
     host_files::FileDescriptor socket(::accept4(socket_.get(), nullptr, nullptr, SOCK_CLOEXEC));
     check(socket.valid(), "accept");
-    const int yes = 1;
-    check(::setsockopt(socket.get(), IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes) == 0, "TCP_NODELAY");
     return ScriptedPeer(std::move(socket));
   }
 
@@ -199,8 +192,7 @@ class ScriptedServer {
 
  private:
   void bind() {
-    socket_ = host_files::FileDescriptor(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
-    check(socket_.valid(), "socket");
+    socket_ = makeSocket(0);
     bindSocket(socket_, "127.0.0.1", port_);
     port_ = portOf(socket_);
   }

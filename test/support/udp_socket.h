@@ -3,17 +3,12 @@
 #ifndef TEST_SUPPORT_UDP_SOCKET_H
 #define TEST_SUPPORT_UDP_SOCKET_H
 
-#include <arpa/inet.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
-
-#include <cerrno>
 #include <cstdint>
 #include <optional>
-#include <system_error>
+#include <string>
 #include <vector>
 
-#include "host_files/file_descriptor.h"
+#include "support/sockets.h"
 
 namespace test_support {
 
@@ -21,22 +16,14 @@ class UdpSocket {
  public:
   /// @param address of this computer; Linux has all of 127.0.0.0/8
   /// @param port 0: any that is free
-  explicit UdpSocket(const char* address = "127.0.0.1", int port = 0)
+  explicit UdpSocket(const std::string& address = "127.0.0.1", int port = 0)
       : socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
-    sockaddr_in own = addressOf(address, port);
-    if (::bind(socket_.get(), reinterpret_cast<sockaddr*>(&own), sizeof(own)) != 0) {
-      throw std::system_error(errno, std::generic_category(), "bind");
-    }
+    check(tryToBind(socket_, address, port), "bind");
   }
 
-  std::uint16_t port() const {
-    sockaddr_in own{};
-    socklen_t size = sizeof(own);
-    ::getsockname(socket_.get(), reinterpret_cast<sockaddr*>(&own), &size);
-    return ntohs(own.sin_port);
-  }
+  std::uint16_t port() const { return static_cast<std::uint16_t>(portOf(socket_)); }
 
-  void send(int port, const std::vector<std::uint8_t>& bytes, const char* address = "127.0.0.1") {
+  void send(int port, const std::vector<std::uint8_t>& bytes, const std::string& address = "127.0.0.1") {
     sendTo(addressOf(address, port), bytes);
   }
 
@@ -60,14 +47,6 @@ class UdpSocket {
   }
 
  private:
-  static sockaddr_in addressOf(const char* address, int port) {
-    sockaddr_in result{};
-    result.sin_family = AF_INET;
-    result.sin_port = htons(static_cast<std::uint16_t>(port));
-    ::inet_pton(AF_INET, address, &result.sin_addr);
-    return result;
-  }
-
   void sendTo(const sockaddr_in& to, const std::vector<std::uint8_t>& bytes) {
     ::sendto(socket_.get(), bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&to), sizeof(to));
   }

@@ -28,7 +28,7 @@
 #include "simulator/openr_host/virtual_robot.h"
 #include "slow_object.h"
 #include "support/memory_stick.h"
-#include "support/test_client.h"
+#include "support/raw_client.h"
 
 using test_support::Frame;
 using test_support::Reply;

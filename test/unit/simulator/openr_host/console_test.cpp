@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "simulator/openr_host/machine.h"
-#include "support/test_client.h"
+#include "support/raw_client.h"
 #include "test_system.h"
 
 namespace openr_host {

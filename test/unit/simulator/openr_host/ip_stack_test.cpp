@@ -2,7 +2,7 @@
 #include <EndpointTypes.h>
 #include <gmock/gmock.h>
 
-#include "support/test_client.h"
+#include "support/raw_client.h"
 #include "test_system.h"
 
 namespace openr_host {
