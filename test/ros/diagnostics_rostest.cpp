@@ -13,7 +13,7 @@
 #include "support/proxy/fault_proxy.h"
 #include "support/ros/diagnostics_listener.h"
 #include "support/ros/driver_process.h"
-#include "support/ros/topic_publishers.h"
+#include "support/ros/topics.h"
 #include "support/simulated_robot.h"
 
 namespace {

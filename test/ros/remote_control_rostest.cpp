@@ -23,7 +23,7 @@
 #include "remote_control/ros_robot.h"
 #include "support/proxy/fault_proxy.h"
 #include "support/ros/driver_process.h"
-#include "support/ros/topic_listener.h"
+#include "support/ros/topics.h"
 #include "support/simulated_robot.h"
 #include "support/temporary_folder.h"
 

@@ -10,8 +10,7 @@
 #include <sensor_msgs/CompressedImage.h>
 
 #include "support/ros/driver_user.h"
-#include "support/ros/joint_listener.h"
-#include "support/ros/joint_messages.h"
+#include "support/ros/joints.h"
 
 namespace {
 

@@ -24,7 +24,7 @@
 #include "support/picture_server.h"
 #include "support/proxy/fault_proxy.h"
 #include "support/ros/driver_process.h"
-#include "support/ros/topic_listener.h"
+#include "support/ros/topics.h"
 #include "support/safety_net.h"
 #include "support/scripted_server.h"
 #include "support/sockets.h"

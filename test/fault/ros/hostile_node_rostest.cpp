@@ -40,7 +40,7 @@
 #include "support/memory_stick.h"
 #include "support/resources.h"
 #include "support/ros/driver_process.h"
-#include "support/ros/topic_listener.h"
+#include "support/ros/topics.h"
 #include "support/safety_net.h"
 #include "support/simulated_robot.h"
 

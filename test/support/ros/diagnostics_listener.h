@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "support/ros/topic_listener.h"
+#include "support/ros/topics.h"
 
 namespace test_support {
 

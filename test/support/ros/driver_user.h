@@ -17,8 +17,7 @@
 
 #include "support/proxy/recording_proxy.h"
 #include "support/ros/driver_process.h"
-#include "support/ros/topic_listener.h"
-#include "support/ros/topic_publishers.h"
+#include "support/ros/topics.h"
 #include "support/simulated_robot.h"
 
 namespace test_support {

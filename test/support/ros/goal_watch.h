@@ -9,7 +9,7 @@
 #include <memory>
 #include <mutex>
 
-#include "support/ros/topic_listener.h"
+#include "support/ros/topics.h"
 
 namespace test_support {
 

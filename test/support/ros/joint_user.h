@@ -10,13 +10,11 @@
 
 #include <chrono>
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "support/ros/driver_user.h"
-#include "support/ros/joint_listener.h"
-#include "support/ros/joint_messages.h"
+#include "support/ros/joints.h"
 
 namespace test_support {
 
@@ -41,7 +39,7 @@ class JointUser : public DriverUser {
 
   // Gives an order again and again, until the joints are there: a driver that stalls for long drops orders.
   bool reaches(const Posture& posture, const std::function<void()>& order) {
-    std::map<std::string, double> elsewhere = posture;
+    Posture elsewhere = posture;
     for (int attempt = 1; attempt <= 6 && !elsewhere.empty(); ++attempt) {
       order();
       elsewhere = joints.waitForPositions(posture, std::chrono::seconds(3 * attempt));

@@ -1,12 +1,13 @@
-/// @file topic_listener.h
-#ifndef TEST_SUPPORT_ROS_TOPIC_LISTENER_H
-#define TEST_SUPPORT_ROS_TOPIC_LISTENER_H
+/// @file topics.h
+#ifndef TEST_SUPPORT_ROS_TOPICS_H
+#define TEST_SUPPORT_ROS_TOPICS_H
 
 #include <ros/node_handle.h>
 
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
+#include <map>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -93,6 +94,34 @@ class TopicListener {
   ros::Subscriber subscriber_;
 };
 
+/// Publishes on topics of a driver. Before the first message on a topic, waits until the driver has subscribed.
+class TopicPublishers {
+ public:
+  explicit TopicPublishers(const std::string& name_space) : name_space_(name_space) {}
+
+  template <typename Message>
+  void publish(const std::string& topic, const Message& message) {
+    publisherOf<Message>(topic).publish(message);
+  }
+
+  /// A publisher to which the driver has subscribed.
+  template <typename Message>
+  ros::Publisher& publisherOf(const std::string& topic) {
+    ros::Publisher& publisher = publishers_[topic];
+    if (!publisher) {
+      publisher = ros::NodeHandle().advertise<Message>(name_space_ + "/" + topic, 100);
+      eventually([&] { return publisher.getNumSubscribers() > 0; });
+    }
+    return publisher;
+  }
+
+ protected:
+  const std::string name_space_;
+
+ private:
+  std::map<std::string, ros::Publisher> publishers_;
+};
+
 }  // namespace test_support
 
-#endif  // TEST_SUPPORT_ROS_TOPIC_LISTENER_H
+#endif  // TEST_SUPPORT_ROS_TOPICS_H

@@ -1,8 +1,9 @@
-/// @file joint_listener.h
-#ifndef TEST_SUPPORT_ROS_JOINT_LISTENER_H
-#define TEST_SUPPORT_ROS_JOINT_LISTENER_H
+/// @file joints.h
+#ifndef TEST_SUPPORT_ROS_JOINTS_H
+#define TEST_SUPPORT_ROS_JOINTS_H
 
 #include <sensor_msgs/JointState.h>
+#include <trajectory_msgs/JointTrajectory.h>
 
 #include <algorithm>
 #include <chrono>
@@ -13,9 +14,34 @@
 #include <string>
 #include <vector>
 
-#include "support/ros/topic_listener.h"
+#include "support/ros/topics.h"
 
 namespace test_support {
+
+/// Positions of joints, in radians.
+using Posture = std::map<std::string, double>;
+
+/// A message for the topic joint_command.
+inline sensor_msgs::JointState command(const Posture& posture) {
+  sensor_msgs::JointState message;
+  for (const auto& [joint, position] : posture) {
+    message.name.push_back(joint);
+    message.position.push_back(position);
+  }
+  return message;
+}
+
+/// A message for the topic joint_trajectory with one point.
+inline trajectory_msgs::JointTrajectory trajectory(const Posture& posture, double seconds) {
+  trajectory_msgs::JointTrajectory message;
+  message.points.resize(1);
+  message.points[0].time_from_start = ros::Duration(seconds);
+  for (const auto& [joint, position] : posture) {
+    message.joint_names.push_back(joint);
+    message.points[0].positions.push_back(position);
+  }
+  return message;
+}
 
 /// The value of a joint in one of the arrays of a message, or nothing.
 inline std::optional<double> valueOf(const sensor_msgs::JointState& message, const std::vector<double>& values,
@@ -45,9 +71,8 @@ class JointListener {
 
   /// Waits until the joints have these positions.
   /// @return the joints that were elsewhere in the last message; empty if all came in time
-  std::map<std::string, double> waitForPositions(const std::map<std::string, double>& expected,
-                                                 std::chrono::milliseconds timeout = kSafetyNet) {
-    std::map<std::string, double> elsewhere = expected;
+  Posture waitForPositions(const Posture& expected, std::chrono::milliseconds timeout = kSafetyNet) {
+    Posture elsewhere = expected;
     listener_.clear();
     listener_.waitFor(
         [&](const sensor_msgs::JointState& message) {
@@ -97,4 +122,4 @@ class JointListener {
 
 }  // namespace test_support
 
-#endif  // TEST_SUPPORT_ROS_JOINT_LISTENER_H
+#endif  // TEST_SUPPORT_ROS_JOINTS_H
