@@ -217,7 +217,7 @@ TEST(Camera, StateIsToldForTheFirstPictureOfEachConnection) {
   TopicListener<aibo_driver::CameraState> states("/each/camera/state");
   DriverUser user("/each", {test_support::kStreams});
   ASSERT_TRUE(states.waitForFirst());
-  user.proxy.cut();
+  user.proxy.endConnections(test_support::Action::kClose);
   EXPECT_THAT(states.waitForCount(2), SizeIs(2)) << "the robot's settings may be others";
 }
 

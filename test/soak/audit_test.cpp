@@ -3,22 +3,14 @@
 #include <aibo_driver/Movement.h>
 #include <gmock/gmock.h>
 
-#include "support/version2_frames.h"
-#include "wire_audit.h"
-
 namespace soak {
 namespace {
 
 using aibo_driver::Movement;
-using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::ElementsAre;
-using ::testing::Field;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using version2_frames::Bytes;
-using version2_frames::encoded;
-using version2_frames::makeFrame;
 
 constexpr double kPan = 0.7;
 
@@ -83,59 +75,6 @@ TEST_F(OrderAuditTest, EachMovementEndsOnce) {
 TEST_F(OrderAuditTest, NothingMovesAtTheEnd) {
   round_.moving = {{4, "/bert", Movement::MOTION, "NOD.MTN"}};
   EXPECT_THAT(judge(), ElementsAre("/bert's motion 4 (NOD.MTN) does not end"));
-}
-
-/// The robot has accepted 0.5 rad for the head.
-class WireAuditTest : public ::testing::Test {
- protected:
-  WireAuditTest() {
-    hear({'x', 2, 0, 0});
-    accept();
-  }
-
-  void hear(const Bytes& bytes) {
-    for (const std::uint8_t byte : bytes) {
-      audit_.hear(0, &byte, 1, 5);
-    }
-  }
-
-  void accept() { hear(makeFrame('j', 7, encoded(protocol::version2::JointTargets{0, 1, {{2, 500000}}}))); }
-
-  void measure(int position) { hear(makeFrame('t', 0, version2_frames::makeTelemetry(1000, {{'J', 2, position}}))); }
-
-  void arrive() {
-    namespace version2 = protocol::version2;
-    hear(makeFrame('i', 0, version2_frames::makeEnd(version2::ENDED_JOINTS, version2::END_DONE, "", "", 7)));
-  }
-
-  std::vector<std::string> wrong_;
-  WireAudit audit_{[this](const std::string& violation) { wrong_.push_back(violation); }};
-};
-
-TEST_F(WireAuditTest, KnowsWhatTheRobotHasAccepted) {
-  EXPECT_THAT(audit_.takeAccepted(), ElementsAre(AllOf(Field(&Accepted::joint, "head_pan"),
-                                                       Field(&Accepted::target, 0.5), Field(&Accepted::time, 5))));
-}
-
-TEST_F(WireAuditTest, WhatIsDoneIsThere) {
-  measure(460000);
-  arrive();
-  measure(300000);  // another order has taken it since
-  EXPECT_THAT(wrong_, IsEmpty());
-}
-
-TEST_F(WireAuditTest, WhatIsNotThereIsNotDone) {
-  measure(440000);
-  arrive();
-  measure(449000);
-  EXPECT_THAT(wrong_, ElementsAre(HasSubstr("done, but one of them is 0.051")));
-
-  wrong_.clear();
-  accept();
-  hear(makeFrame('e', 8, {}));  // it takes a posture, which may have taken the joint
-  arrive();
-  measure(449000);
-  EXPECT_THAT(wrong_, IsEmpty());
 }
 
 }  // namespace

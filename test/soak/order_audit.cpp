@@ -47,6 +47,17 @@ std::string wordsOf(const Moving& movement) {
          (movement.name.empty() ? "" : " (" + movement.name + ")");
 }
 
+/// Prints a line: how many values there are, and how large.
+void printFigures(const char* title, std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const auto quantile = [&values](double part) {
+    const auto index = static_cast<std::size_t>(part * static_cast<double>(values.size()));
+    return values.empty() ? 0 : values[std::min(index, values.size() - 1)];
+  };
+  std::printf("%-44s %8zu  median %.3f  99%% %.3f  most %.3f\n", title, values.size(), quantile(0.5), quantile(0.99),
+              quantile(1));
+}
+
 }  // namespace
 
 std::string hourClock(double time) {
@@ -164,16 +175,6 @@ void OrderAudit::report() const {
               ends_, calls_);
   printFigures("way of the joints after a stop, rad", moved_in_stops_);
   printFigures("age of accepted commands, s", ages_);
-}
-
-void printFigures(const char* title, std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const auto quantile = [&values](double part) {
-    const auto index = static_cast<std::size_t>(part * static_cast<double>(values.size()));
-    return values.empty() ? 0 : values[std::min(index, values.size() - 1)];
-  };
-  std::printf("%-44s %8zu  median %.3f  99%% %.3f  most %.3f\n", title, values.size(), quantile(0.5), quantile(0.99),
-              quantile(1));
 }
 
 }  // namespace soak

@@ -1,16 +1,72 @@
 /// @file order_audit.h
+/// What happens in the soak, and whether it may. All times are in seconds since the epoch, by the system clock, which
+/// all processes of a computer and the stamps of ROS share.
 #ifndef TEST_SOAK_ORDER_AUDIT_H
 #define TEST_SOAK_ORDER_AUDIT_H
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "order_events.h"
-
 namespace soak {
+
+using Targets = std::map<std::string, double>;  ///< rad, by joint
+
+/// A command of a user that moves joints.
+struct Order {
+  std::string user;  ///< the node
+  double time = 0;   ///< when it was published
+  Targets targets{};
+};
+
+constexpr const char* kNoAnswer = "no answer came";
+
+/// A call of a service by a user.
+struct Call {
+  std::string user;
+  std::string service;
+  double begin = 0;
+  double end = 0;
+  bool success = false;
+  std::string message{};  ///< or kNoAnswer
+};
+
+/// A joint's target that the robot has accepted.
+struct Accepted {
+  double time = 0;
+  std::string joint;
+  double target = 0;  ///< rad, as it was asked for
+};
+
+/// Something that moves the robot, as motion_state names it.
+struct Moving {
+  std::uint64_t order = 0;  ///< its number
+  std::string user;
+  int kind = 0;  ///< as in aibo_driver/Movement
+  std::string name;
+};
+
+/// Where the joints are.
+struct Measured {
+  double time = 0;  ///< by the stamp
+  Targets positions{};
+};
+
+/// All that happened in one round, each in the order of time.
+struct Round {
+  std::vector<Order> orders{};
+  std::vector<Call> calls{};
+  std::vector<Accepted> accepted{};
+  std::map<std::uint64_t, Moving> begun{};
+  std::vector<Moving> ended{};
+  std::vector<Moving> moving{};  ///< at its end
+  std::vector<Measured> measured{};
+  std::vector<std::string> faults{};  ///< with their times
+};
 
 /// Judges what happened in each round by the contract of docs/ros_interface.md, and adds up the figures.
 class OrderAudit {
@@ -42,9 +98,6 @@ class OrderAudit {
 
 /// A time in words: the seconds since the last full hour.
 std::string hourClock(double time);
-
-/// Prints a line: how many values there are, and how large.
-void printFigures(const char* title, std::vector<double> values);
 
 }  // namespace soak
 

@@ -15,11 +15,10 @@
 #include <random>
 #include <set>
 #include <sstream>
-#include <stdexcept>
 #include <thread>
 
 #include "robot_model/robot_model.h"
-#include "support/ros/joint_messages.h"
+#include "support/ros/joints.h"
 
 namespace soak {
 namespace {
@@ -38,7 +37,8 @@ class User {
  public:
   User(const std::string& name_space, unsigned number, unsigned seed)
       : handle_(name_space), number_(static_cast<int>(number)), random_(seed), name_(ros::this_node::getName()) {
-    log_ = handle_.advertise<std_msgs::String>(kUserLog, 10000);
+    orders_ = handle_.advertise<sensor_msgs::JointState>(kUserOrders, 10000);
+    calls_ = handle_.advertise<std_msgs::String>(kUserCalls, 10000);
     commands_ = handle_.advertise<sensor_msgs::JointState>("joint_command", 100);
     trajectories_ = handle_.advertise<trajectory_msgs::JointTrajectory>("joint_trajectory", 100);
     velocities_ = handle_.advertise<geometry_msgs::Twist>("cmd_vel", 100);
@@ -48,7 +48,7 @@ class User {
   }
 
   void run() {
-    while (log_.getNumSubscribers() == 0 && ros::ok()) {
+    while (calls_.getNumSubscribers() == 0 && ros::ok()) {
       pause(5, 20);
     }
     unsigned told = kNoRound;
@@ -59,7 +59,7 @@ class User {
         pause(50, 1200);
       } else if (round != told) {
         told = round;
-        log(quietIn(round, name_));
+        log({name_, kQuiet, now(), now(), true, std::to_string(round)});
       } else {
         pause(5, 20);
       }
@@ -71,10 +71,10 @@ class User {
   void pause(int shortest, int longest) { std::this_thread::sleep_for(milliseconds(uniform(shortest, longest))); }
   bool mayGoOn() const { return round_ % 2 == 0 && ros::ok(); }
 
-  void log(const std::string& line) {
+  void log(const Call& call) {
     std_msgs::String message;
-    message.data = line;
-    log_.publish(message);
+    message.data = toText(call);
+    calls_.publish(message);
   }
 
   void giveAnyOrder() {
@@ -121,9 +121,12 @@ class User {
   }
 
   void commandJoints() {
-    const Order order{name_, now(), anyTargets()};
-    commands_.publish(test_support::command(order.targets));
-    log(toText(order));
+    sensor_msgs::JointState order = test_support::command(anyTargets());
+    const ros::Time time = ros::Time::now();
+    commands_.publish(order);
+    order.header.stamp = time;
+    order.header.frame_id = name_;
+    orders_.publish(order);
   }
 
   void followTrajectory() {
@@ -152,7 +155,7 @@ class User {
     each.end = now();
     each.success = answered && service.response.success;
     each.message = answered ? service.response.message : kNoAnswer;
-    log(toText(each));
+    log(each);
   }
 
   void switchMotors() {
@@ -184,7 +187,8 @@ class User {
   const robot_model::RobotModel* model_;
   std::set<std::pair<int, int>> used_;  ///< ids of joints and targets
   std::atomic<unsigned> round_{kNoRound};
-  ros::Publisher log_;
+  ros::Publisher orders_;
+  ros::Publisher calls_;
   ros::Publisher commands_;
   ros::Publisher trajectories_;
   ros::Publisher velocities_;
@@ -193,57 +197,20 @@ class User {
 
 }  // namespace
 
-std::string toText(const Order& order) {
-  std::ostringstream text;
-  text.precision(17);
-  text << "order " << order.user << ' ' << order.time;
-  for (const auto& [joint, target] : order.targets) {
-    text << ' ' << joint << ' ' << target;
-  }
-  return text.str();
-}
-
 std::string toText(const Call& call) {
   std::ostringstream text;
   text.precision(17);
-  text << "call " << call.user << ' ' << call.service << ' ' << call.begin << ' ' << call.end << ' ' << call.success
-       << ' ' << call.message;
+  text << call.user << ' ' << call.service << ' ' << call.begin << ' ' << call.end << ' ' << call.success << ' '
+       << call.message;
   return text.str();
 }
 
-std::string quietIn(unsigned round, const std::string& user) {
-  return "quiet " + user + " " + std::to_string(round);
-}
-
-UserLine parseUserLine(const std::string& text) {
+Call parseCall(const std::string& text) {
   std::istringstream words(text);
-  std::string what;
-  std::string user;
-  words >> what >> user;
-  UserLine line;
-  if (what == "order") {
-    Order order;
-    order.user = user;
-    words >> order.time;
-    std::string joint;
-    for (double target = 0; words >> joint >> target;) {
-      order.targets[joint] = target;
-    }
-    line.order = order;
-  } else if (what == "call") {
-    Call call;
-    call.user = user;
-    words >> call.service >> call.begin >> call.end >> call.success;
-    std::getline(words >> std::ws, call.message);
-    line.call = call;
-  } else if (what == "quiet") {
-    unsigned round = 0;
-    words >> round;
-    line.quiet_in = round;
-  } else {
-    throw std::runtime_error("a user has written: " + text);
-  }
-  return line;
+  Call call;
+  words >> call.user >> call.service >> call.begin >> call.end >> call.success;
+  std::getline(words >> std::ws, call.message);
+  return call;
 }
 
 void runUser(const std::string& name_space, unsigned number, unsigned seed) {

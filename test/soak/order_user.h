@@ -2,30 +2,22 @@
 #ifndef TEST_SOAK_ORDER_USER_H
 #define TEST_SOAK_ORDER_USER_H
 
-#include <optional>
 #include <string>
 
-#include "order_events.h"
+#include "order_audit.h"
 
 namespace soak {
 
 /// The topics of the soak itself, beside the driver's namespace.
-constexpr const char* kUserLog = "/soak/log";    ///< std_msgs/String: a line for each order and call
-constexpr const char* kUserRuns = "/soak/runs";  ///< std_msgs/UInt32: a round; even: orders come, odd: none
+constexpr const char* kUserRuns = "/soak/runs";      ///< std_msgs/UInt32: a round; even: orders come, odd: none
+constexpr const char* kUserCalls = "/soak/calls";    ///< std_msgs/String: a Call
+constexpr const char* kUserOrders = "/soak/orders";  ///< JointState: a command, with its time and its user as the frame
 
-/// A line of a user's log.
-struct UserLine {
-  std::optional<Order> order{};
-  std::optional<Call> call{};
-  std::optional<unsigned> quiet_in{};  ///< the user has given its last order before this round
-};
+/// In place of a service: the user has given its last order before the round of the message.
+constexpr const char* kQuiet = "quiet";
 
-std::string toText(const Order& order);
 std::string toText(const Call& call);
-std::string quietIn(unsigned round, const std::string& user);
-
-/// @throw std::runtime_error the line is none of the above
-UserLine parseUserLine(const std::string& text);
+Call parseCall(const std::string& text);
 
 /// A node that gives random orders of all kinds, one after the other, while it is told to run. Its orders never have
 /// the same target twice, and no other user's. Returns when ROS ends.

@@ -13,7 +13,6 @@
 #include <list>
 #include <mutex>
 #include <optional>
-#include <string>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -33,24 +32,14 @@ namespace test_support {
 /// Every function may be called from any thread.
 class FaultProxy {
  public:
-  struct Options {
-    std::string target_host = "127.0.0.1";  ///< the server's IPv4 address
-    int target_port = 0;
-    int port = 0;  ///< for clients, on 127.0.0.1; 0 = any free one
-    Tap tap = nullptr;
-  };
-
   /// Begins to serve.
-  /// @throw std::system_error the port cannot be listened on
-  explicit FaultProxy(const Options& options) : options_(options), listener_(bindTo("127.0.0.1", options.port)) {
-    port_ = portOf(listener_);
+  /// @param target_port of the server, on 127.0.0.1
+  explicit FaultProxy(int target_port, Tap tap = nullptr)
+      : target_port_(target_port), tap_(std::move(tap)), listener_(bindTo("127.0.0.1", 0)), port_(portOf(listener_)) {
     listener_ = bindTo("127.0.0.1", port_);  // only an explicitly bound port stays reserved while nobody listens
     check(::listen(listener_.get(), SOMAXCONN) == 0, "listen");
     thread_ = std::thread([this] { run(); });
   }
-
-  /// In front of the server on this port of 127.0.0.1.
-  explicit FaultProxy(int target_port) : FaultProxy(Options{"127.0.0.1", target_port}) {}
 
   ~FaultProxy() {
     stopping_ = true;
@@ -76,7 +65,7 @@ class FaultProxy {
   /// Adds a fault. Faults take place in the order in which they were added, each over the connection that first reaches
   /// its place. A picture counts if it begins after all earlier faults.
   void add(const Fault& fault) {
-    change([&] { faults_.add(fault); });
+    change([&] { faults_.faults.push_back(fault); });
   }
 
   /// Ends all connections.
@@ -94,7 +83,8 @@ class FaultProxy {
   void heal() {
     change([&] {
       conditions_ = Conditions();
-      faults_.clear();
+      faults_.faults.clear();
+      ++faults_.turn;
       held_.clear();
       for (Link& link : links_) {
         if (link.isSilent()) {
@@ -146,41 +136,31 @@ class FaultProxy {
   }
 
   void run() {
-    std::vector<pollfd> polled;
     while (!stopping_) {
-      polled.clear();
-      pollUntil(&polled, prepare(&polled));
-      if (polled[0].revents != 0) {
-        wake_up_.clear();
-      }
-      serve(polled);
+      std::vector<pollfd> polled = {{wake_up_.descriptor(), POLLIN, 0}};
+      const TimePoint end = prepare(&polled);
+      pollUntil(&polled, end);
+      wake_up_.clear();
+      serve();
     }
   }
 
   TimePoint prepare(std::vector<pollfd>* polled) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    const TimePoint now = std::chrono::steady_clock::now();
-    TimePoint next = TimePoint::max();
-    polled->push_back({wake_up_.descriptor(), POLLIN, 0});
     polled->push_back({welcome_ == Welcome::kRefuse ? -1 : listener_.get(), POLLIN, 0});
-    for (Link& link : links_) {
-      const auto interests = link.interests(now, conditions_);
-      polled->insert(polled->end(), interests.begin(), interests.end());
-      next = std::min(next, link.nextDue());
+    bool is_busy = false;
+    for (const Link& link : links_) {
+      is_busy = link.prepare(conditions_, polled) || is_busy;
     }
-    polled_links_ = links_.size();
-    return next == TimePoint::max() ? now + std::chrono::seconds(1) : next;
+    return std::chrono::steady_clock::now() + std::chrono::milliseconds(is_busy ? 1 : 1000);
   }
 
-  void serve(const std::vector<pollfd>& polled) {
+  void serve() {
     const std::lock_guard<std::mutex> lock(mutex_);
     const TimePoint now = std::chrono::steady_clock::now();
     std::size_t done = 0;
-    std::size_t entry = 2;
-    for (auto link = links_.begin(); link != links_.end() && entry < 2 + 2 * polled_links_; ++link, entry += 2) {
-      if (!link->isOver()) {
-        done += link->serve({{polled[entry], polled[entry + 1]}}, now, conditions_, &faults_, options_.tap);
-      }
+    for (Link& link : links_) {
+      done += link.isOver() ? 0 : link.serve(now, conditions_, &faults_, tap_);
     }
     links_.remove_if([](const Link& link) { return link.isOver(); });
     if (done > 0) {
@@ -211,8 +191,7 @@ class FaultProxy {
         break;
       case Welcome::kServe:
         try {
-          links_.emplace_back(connections_, std::move(client),
-                              beginConnecting(options_.target_host, options_.target_port));
+          links_.emplace_back(connections_, std::move(client), beginConnecting("127.0.0.1", target_port_));
           ++connections_;
         } catch (const std::system_error&) {
           // The server is unreachable: the client is turned away.
@@ -224,14 +203,14 @@ class FaultProxy {
   }
 
   mutable std::mutex mutex_;  // guards what follows, down to the thread
-  Options options_;
+  const int target_port_;
+  const Tap tap_;
   host_files::FileDescriptor listener_;
-  int port_ = 0;
+  const int port_;
   Welcome welcome_ = Welcome::kServe;
   Conditions conditions_;
   FaultQueue faults_;
   std::list<Link> links_;
-  std::size_t polled_links_ = 0;                  // how many of links_ the thread waits for
   std::vector<host_files::FileDescriptor> held_;  // clients that hear nothing
   std::size_t connections_ = 0;
   std::size_t faults_done_ = 0;

@@ -25,29 +25,9 @@
 namespace test_support {
 
 /// Faults that have not taken place yet, in their order.
-class FaultQueue {
- public:
-  void add(const Fault& fault) { faults_.push_back(fault); }
-  void clear() {
-    ++turn_;
-    faults_.clear();
-  }
-
-  bool empty() const { return faults_.empty(); }
-  const Fault& front() const { return faults_.front(); }
-  Fault take() {
-    ++turn_;
-    Fault fault = std::move(faults_.front());
-    faults_.pop_front();
-    return fault;
-  }
-
-  /// Changes whenever another fault comes to the front.
-  std::uint64_t turn() const { return turn_; }
-
- private:
-  std::deque<Fault> faults_;
-  std::uint64_t turn_ = 0;
+struct FaultQueue {
+  std::deque<Fault> faults{};
+  std::uint64_t turn = 0;  ///< changes whenever another fault comes to the front
 };
 
 /// One direction of a connection: turns the bytes that were sent into the pieces that arrive, each with its time. Does
@@ -76,7 +56,9 @@ class Pipe {
       const std::size_t before = static_cast<std::size_t>(*fault_at_ - offset_);
       pass(data, before, now, conditions);
       data += before;
-      carryOut(faults->take(), now);
+      carryOut(faults->faults.front(), now);
+      faults->faults.pop_front();
+      ++faults->turn;
     }
     pass(data, static_cast<std::size_t>(end - offset_), now, conditions);
     return done;
@@ -102,14 +84,14 @@ class Pipe {
  private:
   /// Finds out where the next fault takes place.
   /// @return false if that is not known yet
-  bool findPlace(const FaultQueue& faults, const std::vector<std::uint64_t>& picture_begins) {
-    if (faults.empty() || faults.front().direction != direction_) {
+  bool findPlace(const FaultQueue& queue, const std::vector<std::uint64_t>& picture_begins) {
+    if (queue.faults.empty() || queue.faults.front().direction != direction_) {
       return false;
     }
-    if (std::exchange(fault_turn_, faults.turn()) != faults.turn()) {
+    if (std::exchange(fault_turn_, queue.turn) != queue.turn) {
       fault_at_.reset();
     }
-    const Fault& fault = faults.front();
+    const Fault& fault = queue.faults.front();
     if (!fault_at_ && fault.place == Place::kPicture) {
       const auto begin = std::lower_bound(picture_begins.begin(), picture_begins.end(), offset_);
       if (begin != picture_begins.end()) {
@@ -227,76 +209,46 @@ class Link {
         client_{std::move(client), Pipe(Direction::kToClient)},
         server_{std::move(server), Pipe(Direction::kToServer)} {}
 
-  /// What to wait for: an entry for each socket, the client's first; -1 for a socket that need not be waited for.
-  std::array<pollfd, 2> interests(TimePoint now, const Conditions& conditions) {
-    const auto interest = [&](Side& side, const Side& other) {
-      const bool may_send = side.blocked || (!side.out.pieces().empty() && side.out.pieces().front().due <= now);
-      const int events = (mayRead(side, other, conditions) ? POLLIN : 0) | (may_send ? POLLOUT : 0);
-      return pollfd{events == 0 ? -1 : side.socket.get(), static_cast<short>(events), 0};
+  /// Adds the sockets to wait for.
+  /// @return true if serve() has to be called soon, whatever happens
+  bool prepare(const Conditions& conditions, std::vector<pollfd>* polled) const {
+    const auto add = [&](const Side& side, const Side& other) {
+      const bool reads = draining_ ? &side == &client_ : !connecting_ && mayRead(side, other, conditions);
+      const int events = silent_ ? POLLRDHUP : reads ? POLLIN : 0;
+      polled->push_back({events == 0 ? -1 : side.socket.get(), static_cast<short>(events), 0});
     };
-    if (draining_) {
-      return {{{client_.socket.get(), POLLIN, 0}, {-1, 0, 0}}};
-    }
-    if (silent_) {
-      return {{{client_.socket.get(), POLLRDHUP, 0}, {server_.socket.get(), POLLRDHUP, 0}}};
-    }
-    if (connecting_) {
-      return {{{-1, 0, 0}, {server_.socket.get(), POLLOUT, 0}}};
-    }
-    return {{interest(client_, server_), interest(server_, client_)}};
-  }
-
-  /// When serve() has to be called at the latest.
-  TimePoint nextDue() const {
-    TimePoint next = TimePoint::max();
-    if (!draining_ && !silent_ && !connecting_) {
-      for (const Side* side : {&client_, &server_}) {
-        if (!side->out.pieces().empty() && !side->blocked) {
-          next = std::min(next, side->out.pieces().front().due);
-        }
-      }
-    }
-    return next;
+    add(client_, server_);
+    add(server_, client_);
+    const bool has_pieces = !client_.out.pieces().empty() || !server_.out.pieces().empty();
+    return connecting_ || (has_pieces && !draining_ && !silent_);
   }
 
   /// Does what can be done now.
-  /// @param polled the entries of interests(), after poll()
   /// @return how many faults took place
-  std::size_t serve(const std::array<pollfd, 2>& polled, TimePoint now, const Conditions& conditions,
-                    FaultQueue* faults, const Tap& tap) {
+  std::size_t serve(TimePoint now, const Conditions& conditions, FaultQueue* faults, const Tap& tap) {
     std::size_t done = 0;
     if (draining_) {
       std::array<std::uint8_t, 4096> ignored;
       const ssize_t count = ::recv(client_.socket.get(), ignored.data(), ignored.size(), 0);
       over_ = count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR);
-      return done;
-    }
-    if (silent_) {
-      if (polled[0].revents != 0) {
+    } else if (silent_) {
+      if (isReady(client_, POLLRDHUP)) {
         client_.socket.close();  // the server does not notice
       }
-      over_ = polled[1].revents != 0 || !server_.socket.valid();
-      return done;
-    }
-    if (connecting_) {
+      over_ = isReady(server_, POLLRDHUP);
+    } else if (connecting_) {
       int error = 0;
       socklen_t size = sizeof error;
-      connecting_ = polled[1].revents == 0;
+      connecting_ = !isReady(server_, POLLOUT);
       ::getsockopt(server_.socket.get(), SOL_SOCKET, SO_ERROR, &error, &size);
       over_ = !connecting_ && error != 0;
-      return done;
-    }
-    if ((polled[1].revents & (POLLIN | kGone)) != 0 && mayRead(server_, client_, conditions)) {
+    } else {
       done += receive(&server_, &client_, Direction::kToClient, now, conditions, faults, tap);
-    }
-    if ((polled[0].revents & (POLLIN | kGone)) != 0 && !over_ && mayRead(client_, server_, conditions)) {
       done += receive(&client_, &server_, Direction::kToServer, now, conditions, faults, tap);
+      const TimePoint sending = std::chrono::steady_clock::now();
+      send(&client_, Direction::kToClient, sending);
+      send(&server_, Direction::kToServer, sending);
     }
-    client_.blocked = client_.blocked && polled[0].revents == 0;
-    server_.blocked = server_.blocked && polled[1].revents == 0;
-    const TimePoint sending = std::chrono::steady_clock::now();
-    send(&client_, Direction::kToClient, sending);
-    send(&server_, Direction::kToServer, sending);
     return done;
   }
 
@@ -331,15 +283,17 @@ class Link {
   bool isSilent() const { return silent_; }
 
  private:
-  static constexpr short kGone = POLLHUP | POLLERR | POLLNVAL;
-
   struct Side {
     host_files::FileDescriptor socket;
-    Pipe out;              // towards this side
-    bool ended = false;    // this side sends no more
-    bool told = false;     // this side has got a FIN
-    bool blocked = false;  // the kernel's buffer for this side is full
+    Pipe out;            // towards this side
+    bool ended = false;  // this side sends no more
+    bool told = false;   // this side has got a FIN
   };
+
+  static bool isReady(const Side& side, short events) {
+    pollfd polled = {side.socket.get(), events, 0};
+    return ::poll(&polled, 1, 0) > 0;
+  }
 
   bool mayRead(const Side& from, const Side& to, const Conditions& conditions) const {
     const bool paused = conditions.paused && &from == &server_;
@@ -348,6 +302,9 @@ class Link {
 
   std::size_t receive(Side* from, Side* to, Direction direction, TimePoint now, const Conditions& conditions,
                       FaultQueue* faults, const Tap& tap) {
+    if (over_ || !mayRead(*from, *to, conditions)) {
+      return 0;
+    }
     std::array<std::uint8_t, 4096> buffer;
     const ssize_t count = ::recv(from->socket.get(), buffer.data(), buffer.size(), 0);
     if (count > 0) {
@@ -368,35 +325,29 @@ class Link {
 
   void send(Side* side, Direction direction, TimePoint now) {
     std::deque<Pipe::Piece>& pieces = side->out.pieces();
-    while (!pieces.empty() && pieces.front().due <= now && !side->blocked && !over_ && !draining_ && !silent_) {
-      if (pieces.front().end) {
-        const Action action = *pieces.front().end;
-        pieces.pop_front();
-        end(action, direction);
-      } else if (side->told) {
-        side->out.sent(pieces.front().bytes.size());  // lost, because this side has got a FIN
-        pieces.pop_front();
-      } else if (!sendFront(side)) {
+    while (!pieces.empty() && pieces.front().due <= now && !over_ && !draining_ && !silent_) {
+      Pipe::Piece& piece = pieces.front();
+      // What comes for a side that has got a FIN is lost.
+      const ssize_t count = piece.end || side->told
+                                ? static_cast<ssize_t>(piece.bytes.size())
+                                : ::send(side->socket.get(), piece.bytes.data(), piece.bytes.size(), MSG_NOSIGNAL);
+      if (count < 0 && (errno == EAGAIN || errno == EINTR)) {
+        return;
+      }
+      if (count < 0) {
         end(Action::kReset, direction);
+        return;
+      }
+      side->out.sent(static_cast<std::size_t>(count));
+      piece.bytes.erase(piece.bytes.begin(), piece.bytes.begin() + count);
+      if (piece.bytes.empty()) {
+        const std::optional<Action> action = piece.end;
+        pieces.pop_front();
+        if (action) {
+          end(*action, direction);
+        }
       }
     }
-  }
-
-  /// @return false if the connection is broken
-  bool sendFront(Side* side) {
-    Bytes& bytes = side->out.pieces().front().bytes;
-    const ssize_t count = ::send(side->socket.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
-    if (count < 0) {
-      side->blocked = errno == EAGAIN;
-      return errno == EAGAIN || errno == EINTR;
-    }
-    side->out.sent(static_cast<std::size_t>(count));
-    if (static_cast<std::size_t>(count) == bytes.size()) {
-      side->out.pieces().pop_front();
-    } else {
-      bytes.erase(bytes.begin(), bytes.begin() + count);
-    }
-    return true;
   }
 
   const std::size_t number_;

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -17,11 +18,15 @@
 
 namespace test_support {
 
-/// Finds the pictures in what a server sends over one connection, in either version of the protocol.
+/// Finds pictures and other replies in what a server sends over one connection, in either version of the protocol.
 class ReplyScanner {
  public:
-  /// @param on_picture called with the JPEG of each picture that is complete
-  explicit ReplyScanner(std::function<void(Bytes jpeg)> on_picture = nullptr) : on_picture_(std::move(on_picture)) {}
+  using OnReply = std::function<void(char kind, const Bytes& payload)>;
+
+  /// @param kinds of the replies and pushes with a payload that are wanted
+  /// @param on_reply called with each of them that is complete; the payload of a picture is its JPEG
+  explicit ReplyScanner(std::string kinds = "", OnReply on_reply = nullptr)
+      : kinds_(std::move(kinds)), on_reply_(std::move(on_reply)) {}
 
   /// Takes the stream's next bytes.
   /// @return where in the stream pictures begin whose header's first byte is among them: offsets, ascending
@@ -58,16 +63,15 @@ class ReplyScanner {
   }
 
   void takeHeader() {
-    const char letter = static_cast<char>(header_.front());
-    in_picture_ = letter == protocol::REPLY_PICTURE;
+    kind_ = static_cast<char>(header_.front());
     if (version2_) {
       payload_left_ = protocol::version2::decodeFrameHeader(header_.data()).payload_size;
-    } else if (in_picture_) {
+    } else if (kind_ == protocol::REPLY_PICTURE) {
       std::size_t size = 0;
       lost_ = !protocol::decodePictureHeader(header_.data(), &size);
       payload_left_ = size;
     } else {
-      lost_ = !protocol::isValueReply(letter);
+      lost_ = !protocol::isValueReply(kind_);
       version2_ = protocol::version2::agreesToVersion2(protocol::decodeValueReply(header_.data()));
     }
     header_.clear();
@@ -75,26 +79,27 @@ class ReplyScanner {
 
   void takePayload(const std::uint8_t* data, std::size_t size) {
     payload_left_ -= size;
-    if (!in_picture_ || !on_picture_) {
+    if (kinds_.find(kind_) == std::string::npos) {
       return;
     }
     payload_.insert(payload_.end(), data, data + size);
     if (payload_left_ == 0) {
-      const std::size_t image_header = version2_ ? protocol::version2::IMAGE_HEADER_SIZE : 0;
-      const std::size_t jpeg = std::min(image_header, payload_.size());
-      on_picture_(Bytes(payload_.begin() + static_cast<std::ptrdiff_t>(jpeg), payload_.end()));
+      const bool has_header = version2_ && kind_ == protocol::version2::PICTURE;
+      const std::size_t skipped = std::min(has_header ? protocol::version2::IMAGE_HEADER_SIZE : 0, payload_.size());
+      on_reply_(kind_, Bytes(payload_.begin() + static_cast<std::ptrdiff_t>(skipped), payload_.end()));
       payload_.clear();
     }
   }
 
-  const std::function<void(Bytes jpeg)> on_picture_;
+  const std::string kinds_;
+  const OnReply on_reply_;
   std::uint64_t offset_ = 0;  // of the next byte
   bool version2_ = false;
   bool lost_ = false;  // something that is not a reply has come: the next one cannot be found
   Bytes header_;
   std::uint64_t payload_left_ = 0;  // bytes of the present reply that are still to come
-  bool in_picture_ = false;
-  Bytes payload_;  // of the present picture, if somebody wants it
+  char kind_ = '\0';
+  Bytes payload_;  // of the present reply, if somebody wants it
 };
 
 /// A request of either version of the protocol.
