@@ -82,7 +82,12 @@ class RowRun {
   void tryOne(Experiment* experiment, unsigned trial) {
     std::seed_seq seeds{options_.seed, static_cast<unsigned>(std::hash<std::string>()(row_.id)), trial};
     Random random(seeds);
-    const Outcome outcome = experiment->run(trial, random);
+    Outcome outcome;
+    try {
+      outcome = experiment->run(trial, random);
+    } catch (const std::exception& error) {
+      outcome.violations.emplace_back(error.what());
+    }
     const std::lock_guard<std::mutex> lock(mutex_);
     ++tried_;
     if (outcome.recovery) {

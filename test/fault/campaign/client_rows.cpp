@@ -1,15 +1,187 @@
 // Faults on the way from the server to the client.
 
 #include <array>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+#include <utility>
 
 #include "aibo_client/exceptions.h"
-#include "campaign/client_experiment.h"
+#include "aibo_client/rcserver_client.h"
+#include "campaign/experiment.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
+#include "support/picture_server.h"
+#include "support/test_pictures.h"
 #include "support/version2_frames.h"
 
 namespace fault_bench {
 namespace {
+
+/// Checks what a client delivers against what a PictureServer has sent. The witness must outlive the client, and the
+/// server must outlive the witness.
+///
+/// It complains if a picture is not, byte for byte, one that the server has sent, if a picture comes twice or after a
+/// newer one, and if a picture of a connection is missing. When a connection ends, the status must give reason and
+/// advice.
+class Witness {
+ public:
+  struct Sighting {
+    test_pictures::Name name;
+    TimePoint time;  ///< of its delivery
+    TimePoint sent;  ///< according to the server
+  };
+
+  explicit Witness(const PictureServer& server) : server_(server) {}
+
+  aibo_client::Callbacks callbacks() {
+    aibo_client::Callbacks callbacks;
+    callbacks.on_picture = [this](const aibo_client::PicturePtr& picture) { see(*picture); };
+    callbacks.on_status = [this](const aibo_client::ConnectionStatus& status) { hear(status); };
+    return callbacks;
+  }
+
+  /// While gaps are allowed, it does not complain about pictures that are left out over one connection.
+  void allowGaps(bool allowed) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    gaps_allowed_ = allowed;
+  }
+
+  /// The last picture; its number is 0 if there was none.
+  Sighting last() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return last_;
+  }
+
+  /// Waits for a picture that fulfils the condition.
+  /// @throw std::runtime_error it did not come
+  template <typename Condition>
+  Sighting waitFor(const Condition& condition) const {
+    Sighting found;
+    const auto comes = [&] {
+      found = last();
+      return found.name.number > 0 && condition(found);
+    };
+    await(comes, "no picture came any more");
+    return found;
+  }
+
+  /// The complaints since the last call.
+  std::vector<std::string> takeViolations() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return std::exchange(violations_, {});
+  }
+
+ private:
+  void hear(const aibo_client::ConnectionStatus& status) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const bool has_ended = status.state == aibo_client::ConnectionState::kDisconnected &&
+                           status_.state != aibo_client::ConnectionState::kDisconnected;
+    if (has_ended && (status.reason.empty() || status.advice.empty())) {
+      violations_.push_back("a connection has ended without reason or advice: '" + status.reason + "'");
+    }
+    status_ = status;
+  }
+
+  void see(const aibo_client::Picture& picture) {
+    const auto name = test_pictures::nameOf(picture.jpeg);
+    const TimePoint sent = name ? server_.timeOf(name->number) : TimePoint();
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!name) {
+      violations_.emplace_back("a picture that the server never sent");
+      return;
+    }
+    judge(picture, *name);
+    last_ = {*name, steady_clock::now(), sent};
+  }
+
+  void judge(const aibo_client::Picture& picture, const test_pictures::Name& name) {
+    const std::uint64_t before = last_.name.number;
+    const std::string which = "picture " + std::to_string(name.number) + " after picture " + std::to_string(before);
+    if (picture.jpeg != test_pictures::makeNamed(name) || name.number > server_.lastNumber()) {
+      violations_.push_back(which + " is not as it was sent");
+    }
+    if (name.number <= before) {
+      violations_.push_back(which);
+    }
+    if (name.connection == last_.name.connection && name.number > before + 1 && !gaps_allowed_) {
+      violations_.push_back(which + " over one connection: some are lost");
+    }
+  }
+
+  const PictureServer& server_;
+  mutable std::mutex mutex_;  // guards what follows
+  Sighting last_;
+  bool gaps_allowed_ = false;
+  aibo_client::ConnectionStatus status_;
+  std::vector<std::string> violations_;
+};
+
+/// A client with the driver's own settings, a server, and a proxy between them.
+class ClientExperiment : public Experiment {
+ public:
+  /// @param remainder even: the server speaks version 1 of the protocol; odd: version 2
+  /// @param silence after which the client gives a connection up
+  explicit ClientExperiment(unsigned remainder, milliseconds silence = aibo_client::ClientOptions().read_timeout)
+      : version_(remainder % 2 == 0 ? 1 : 2),
+        server_(version_, std::chrono::microseconds(1500)),
+        proxy_(server_.port()),
+        witness_(server_),
+        client_(clientOptions(silence), witness_.callbacks()) {
+    client_.setStreaming(true);
+    client_.start();
+    awaitPictures(3);
+  }
+
+  /// Tries the fault, then collects what the witness complains about.
+  Outcome run(unsigned trial, Random& random) final {
+    const std::uint64_t stale_before = client_.statistics().stale_pictures;
+    Outcome outcome;
+    try {
+      outcome = attempt(trial, random);
+      awaitPictures(3);
+    } catch (const std::exception& error) {
+      outcome.violations.emplace_back(error.what());
+    }
+    const bool was_held_up = client_.statistics().stale_pictures > stale_before;
+    for (const std::string& each : witness_.takeViolations()) {
+      if (!was_held_up || each.find("are lost") == std::string::npos) {  // it rightly left stale pictures out
+        outcome.violations.push_back(each);
+      }
+    }
+    return outcome;
+  }
+
+ protected:
+  virtual Outcome attempt(unsigned trial, Random& random) = 0;
+
+  int version() const { return version_; }
+
+  /// The connection over which the last picture came.
+  std::uint32_t connection() const { return witness_.last().name.connection; }
+
+  /// Waits for this many more pictures.
+  void awaitPictures(unsigned count) {
+    const std::uint64_t number = witness_.last().name.number + count;
+    witness_.waitFor([number](const Witness::Sighting& each) { return each.name.number >= number; });
+  }
+
+ private:
+  aibo_client::ClientOptions clientOptions(milliseconds silence) const {
+    aibo_client::ClientOptions options;
+    options.port = proxy_.port();
+    options.read_timeout = silence;
+    return options;
+  }
+
+  const int version_;
+
+ protected:
+  PictureServer server_;
+  FaultProxy proxy_;
+  Witness witness_;
+  aibo_client::RcServerClient client_;
+};
 
 // More bytes than any picture of the server has.
 constexpr int kPictureSize = 5200;
@@ -137,11 +309,14 @@ class AbsenceExperiment : public ClientExperiment {
     if (welcome != Welcome::kServe) {
       proxy_.endConnections(is_silent ? Action::kSilence : Action::kReset);
     }
-    witness_.waitForDisconnection();
+    await([&] { return client_.status().state == aibo_client::ConnectionState::kDisconnected; },
+          "the client did not notice the end of its connection");
     std::this_thread::sleep_for(milliseconds(uniform(random, 0, 500)));
     server_.setStopped(false);
     proxy_.heal();
-    return awaitReconnect(before, steady_clock::now());
+    const TimePoint healthy = steady_clock::now();
+    const auto back = witness_.waitFor([&](const Witness::Sighting& each) { return each.name.connection > before; });
+    return {back.time - healthy, {}};
   }
 };
 

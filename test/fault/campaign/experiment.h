@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -12,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "aibo_client/rcserver_client.h"
 #include "support/proxy/fault_proxy.h"
 #include "support/safety_net.h"
 
@@ -35,6 +37,7 @@ class Experiment {
  public:
   virtual ~Experiment() = default;
 
+  /// Complains also by an exception.
   /// @param trial number of the fault; everything random about it follows from this number and the seed
   virtual Outcome run(unsigned trial, Random& random) = 0;
 };
@@ -84,6 +87,49 @@ inline Fault anyFault(unsigned turn, Random& random) {
   fault.time = std::chrono::microseconds(uniform(random, 300, 20000));
   return fault;
 }
+
+/// A client that wants pictures, joints and sound, and counts what it gets.
+class CountingClient {
+ public:
+  /// @param version newest version of the protocol that it speaks; 0 = the newest there is
+  explicit CountingClient(int port, int version = 0) : client_(options(port, version), callbacks()) {
+    client_.setStreaming(true);
+    client_.setTelemetryPeriod(4);
+    client_.setMicrophone({true, 2, 16000});
+    client_.start();
+  }
+
+  unsigned pictures() const { return pictures_; }
+
+  /// Waits for pictures and joints that come from now on.
+  /// @return false if they do not come
+  bool getsMore() {
+    const unsigned pictures = pictures_;
+    const unsigned joints = joints_;
+    return eventually([&] { return pictures_ >= pictures + 2 && joints_ >= joints + 2; });
+  }
+
+ private:
+  static aibo_client::ClientOptions options(int port, int version) {
+    aibo_client::ClientOptions options;
+    options.port = port;
+    options.protocol_version = version;
+    return options;
+  }
+
+  aibo_client::Callbacks callbacks() {
+    aibo_client::Callbacks callbacks;
+    callbacks.on_picture = [this](const aibo_client::PicturePtr&) { ++pictures_; };
+    callbacks.on_telemetry = [this](const aibo_client::Telemetry& telemetry) {
+      joints_ += telemetry.joints.empty() ? 0 : 1;
+    };
+    return callbacks;
+  }
+
+  std::atomic<unsigned> pictures_{0};
+  std::atomic<unsigned> joints_{0};
+  aibo_client::RcServerClient client_;
+};
 
 std::vector<Row> clientRows();
 std::vector<Row> hostileRows();

@@ -1,14 +1,14 @@
-// One end of the connection attacks the other.
+// Hostile clients.
 
-#include <atomic>
+#include <algorithm>
+#include <memory>
 #include <optional>
+#include <system_error>
 #include <thread>
 
-#include "aibo_client/rcserver_client.h"
 #include "campaign/experiment.h"
-#include "hostile/attacks.h"
 #include "support/memory_stick.h"
-#include "support/picture_server.h"
+#include "support/raw_client.h"
 #include "support/resources.h"
 #include "support/simulated_robot.h"
 
@@ -18,93 +18,109 @@ namespace {
 // Long enough for thousands of messages.
 constexpr milliseconds kAttackTime{300};
 
-/// A client that wants pictures, joints and sound, and counts what it gets.
-class HonestClient {
- public:
-  HonestClient(int port, int version) : client_(options(port, version), callbacks()) {
-    client_.setStreaming(true);
-    client_.setTelemetryPeriod(4);
-    client_.setMicrophone({true, 2, 16000});
-    client_.start();
-  }
+const std::string kVersion2 = {'X', 2};
 
-  /// Waits for pictures and joints that come from now on.
-  /// @return false if they do not come
-  bool getsMore() {
-    const unsigned pictures = pictures_;
-    const unsigned joints = joints_;
-    return eventually([&] { return pictures_ >= pictures + 2 && joints_ >= joints + 2; });
-  }
+// A frame's header for version 2.
+std::string header(char kind, unsigned size) {
+  return {kind,
+          0,
+          0,
+          1,
+          static_cast<char>(size >> 24U),
+          static_cast<char>(size >> 16U),
+          static_cast<char>(size >> 8U),
+          static_cast<char>(size)};
+}
 
- private:
-  static aibo_client::ClientOptions options(int port, int version) {
-    aibo_client::ClientOptions options;
-    options.port = port;
-    options.protocol_version = version == 1 ? 1 : 0;
-    return options;
-  }
+std::string anyBytes(Random& random, int most) {
+  std::string bytes(static_cast<std::size_t>(std::uniform_int_distribution<int>(1, most)(random)), '\0');
+  std::generate(bytes.begin(), bytes.end(), [&] { return static_cast<char>(random()); });
+  return bytes;
+}
 
-  aibo_client::Callbacks callbacks() {
-    aibo_client::Callbacks callbacks;
-    callbacks.on_picture = [this](const aibo_client::PicturePtr&) { ++pictures_; };
-    callbacks.on_telemetry = [this](const aibo_client::Telemetry& telemetry) {
-      joints_ += telemetry.joints.empty() ? 0 : 1;
-    };
-    return callbacks;
-  }
+std::string anyRequest(Random& random) {
+  static const std::string kinds = "HFWJVTIKLPUDNQRXZGMYBA";  // the motors stay on
+  const std::string payload = anyBytes(random, 300);
+  return header(kinds[random() % kinds.size()], static_cast<unsigned>(payload.size())) + payload;
+}
 
-  std::atomic<unsigned> pictures_{0};
-  std::atomic<unsigned> joints_{0};
-  aibo_client::RcServerClient client_;
+std::string anySize(Random& random) {
+  return header('U', static_cast<unsigned>(random()) | 0x10000U);
+}
+
+/// The server may have turned the client away. Then there is no connection.
+std::unique_ptr<RawClient> connectTo(int port, const std::string& first) {
+  try {
+    auto client = std::make_unique<RawClient>(port);
+    return client->send(first) >= 0 ? std::move(client) : nullptr;
+  } catch (const std::system_error&) {
+    return nullptr;
+  }
+}
+
+/// An attack of clients.
+struct ClientAttack {
+  std::string name;
+  bool at_console;  ///< not at the server's port
+  int clients;      ///< at the same time
+  bool reads;       ///< whether they read the answers
+  std::string first;
+  std::function<std::string(Random& random)> more;  ///< what they send again and again; null: they wait
 };
 
-/// hostile-robot: a server attacks the driver's client, then behaves well.
-class HostileRobotExperiment : public Experiment {
- public:
-  explicit HostileRobotExperiment(unsigned) {}
-
-  Outcome run(unsigned trial, Random& random) override {
-    const auto& attack = hostile::robotAttacks()[trial % hostile::robotAttacks().size()];
-    PictureServer server(attack.version, milliseconds(5));
-    server.setTelemetry(true);
-    HonestClient client(server.port(), attack.version);
-    if (!client.getsMore()) {
-      return {{}, {"no pictures or joints came before the attack"}};
-    }
-    server.flood(attack.begin(static_cast<unsigned>(random())));
-    std::this_thread::sleep_for(kAttackTime);
-    server.flood(nullptr);
-    const TimePoint end = steady_clock::now();
-    if (!client.getsMore()) {
-      return {{}, {"pictures and joints do not go on after " + attack.name}};
-    }
-    return {steady_clock::now() - end, {}};
-  }
+const std::vector<ClientAttack> kAttacks = {
+    {"nonsense", false, 1, true, "", [](Random& random) { return anyBytes(random, 5000); }},
+    {"payloads", false, 1, true, kVersion2, anyRequest},
+    {"sizes", false, 1, true, kVersion2, anySize},
+    {"unread", false, 1, false, kVersion2, [](Random&) { return header('H', 0) + header('N', 0); }},
+    {"half", false, 1, false, kVersion2 + header('U', 60000), nullptr},
+    {"connections", false, 100, false, "", nullptr},
+    {"console-commands", true, 1, true, "", [](Random& random) { return anyBytes(random, 60) + "\n"; }},
+    {"console-listeners", true, 20, false, "", nullptr},
 };
+
+/// Attacks a port of 127.0.0.1 until `end`. When the server ends a connection, the attacker makes a new one.
+void carryOut(const ClientAttack& attack, int port, Random& random, TimePoint end) {
+  std::vector<std::unique_ptr<RawClient>> clients(static_cast<std::size_t>(attack.clients));
+  do {
+    for (auto& client : clients) {
+      if (!client) {
+        client = connectTo(port, attack.first);
+      }
+      const bool is_open = client && (!attack.more || client->send(attack.more(random)) >= 0);
+      const auto answer = is_open && attack.reads ? client->receive(milliseconds(0)) : std::nullopt;
+      if (!is_open || (answer && answer->empty())) {
+        client.reset();  // the server has ended the connection
+      }
+    }
+    if (!attack.reads) {
+      std::this_thread::sleep_for(milliseconds(1));  // nothing more can be sent soon
+    }
+  } while (steady_clock::now() < end);
+}
 
 /// hostile-client: clients attack the program aibo_rcserver. In every second trial, another client has its place, and
 /// keeps pictures and joints. In the others, such a client comes when the attack has ended.
 class HostileClientExperiment : public Experiment {
  public:
   explicit HostileClientExperiment(unsigned /*remainder*/) {
-    HonestClient(robot_.port(), 2).getsMore();
+    CountingClient(robot_.port()).getsMore();
     before_ = Resources::of(std::to_string(robot_.process().pid()));
   }
 
   Outcome run(unsigned trial, Random& random) override {
-    const auto& attacks = hostile::clientAttacks();
-    const auto& attack = attacks[trial / 2 % attacks.size()];
-    std::optional<HonestClient> client;
+    const ClientAttack& attack = kAttacks[trial / 2 % kAttacks.size()];
+    std::optional<CountingClient> client;
     if (trial % 2 == 0) {
-      client.emplace(robot_.port(), 2);
+      client.emplace(robot_.port());
       client->getsMore();
     }
     output_ = robot_.process().output().size();
     const int port = attack.at_console ? robot_.consolePort() : robot_.port();
-    hostile::carryOut(attack, port, random, steady_clock::now() + kAttackTime);
+    carryOut(attack, port, random, steady_clock::now() + kAttackTime);
     const TimePoint end = steady_clock::now();
     if (!client) {
-      client.emplace(robot_.port(), 2);
+      client.emplace(robot_.port());
     }
     Outcome outcome;
     if (!client->getsMore()) {
@@ -149,12 +165,8 @@ class HostileClientExperiment : public Experiment {
 }  // namespace
 
 std::vector<Row> hostileRows() {
-  const auto robots = static_cast<unsigned>(5 * hostile::robotAttacks().size());
-  const auto clients = static_cast<unsigned>(10 * hostile::clientAttacks().size());
-  return {
-      {"hostile-robot", "a robot attacks the driver's client", robots, 1, maker<HostileRobotExperiment>()},
-      {"hostile-client", "clients attack aibo_rcserver", clients, 1, maker<HostileClientExperiment>()},
-  };
+  const auto trials = static_cast<unsigned>(10 * kAttacks.size());
+  return {{"hostile-client", "clients attack aibo_rcserver", trials, 1, maker<HostileClientExperiment>()}};
 }
 
 }  // namespace fault_bench

@@ -1,8 +1,5 @@
 // Faults on the way to the robot's server, and clients that hang.
 
-#include <atomic>
-
-#include "aibo_client/rcserver_client.h"
 #include "campaign/experiment.h"
 #include "protocol/version1.h"
 #include "robot_server.h"
@@ -15,35 +12,13 @@ const std::string kStream = "W\x55";
 const std::string kPicture = "F\x55";
 const std::string kVersion2Stream = {'X', 2, 'W', 85, 0, 1, 0, 0, 0, 4, 1, 0, 0, 1};
 
-/// The robot's server, and clients that behave well or not.
-class ServerExperiment : public Experiment {
- public:
-  explicit ServerExperiment(unsigned /*remainder*/) {}
-
-  Outcome run(unsigned trial, Random& random) final {
-    try {
-      return attempt(trial, random);
-    } catch (const std::exception& error) {
-      return {{}, {error.what()}};
-    }
-  }
-
- protected:
-  virtual Outcome attempt(unsigned trial, Random& random) = 0;
-
-  RobotServer server_;
-};
-
 /// hanging: a client asks for pictures, and then reads nothing, reads very slowly, or vanishes. Soon the server serves
 /// the next client.
-class HangingClientExperiment : public ServerExperiment {
+class HangingClientExperiment : public Experiment {
  public:
-  using ServerExperiment::ServerExperiment;
+  explicit HangingClientExperiment(unsigned /*remainder*/) {}
 
- private:
-  enum Manner { kNeverReads, kDrips, kVanishes, kManners };
-
-  Outcome attempt(unsigned trial, Random& /*random*/) override {
+  Outcome run(unsigned trial, Random& /*random*/) override {
     const auto manner = static_cast<Manner>(trial / 4 % kManners);
     FaultProxy proxy(server_.port());
     RawClient client(manner == kVanishes ? proxy.port() : server_.port());
@@ -66,6 +41,9 @@ class HangingClientExperiment : public ServerExperiment {
     return {steady_clock::now() - begin, {}};
   }
 
+ private:
+  enum Manner { kNeverReads, kDrips, kVanishes, kManners };
+
   /// Has a new client ask for one picture.
   /// @return false if it is turned away
   bool serves() {
@@ -76,26 +54,18 @@ class HangingClientExperiment : public ServerExperiment {
     return header.size() == protocol::PICTURE_HEADER_SIZE && protocol::decodePictureHeader(header.data(), &size) &&
            client.read(size, kSafetyNet).size() == size;
   }
+
+  RobotServer server_;
 };
 
 /// request: a fault of any kind in the requests of the driver's client, at the beginning of a connection or soon after.
-class RequestExperiment : public ServerExperiment {
+class RequestExperiment : public Experiment {
  public:
-  explicit RequestExperiment(unsigned remainder)
-      : ServerExperiment(remainder),
-        proxy_(server_.port()),
-        client_(clientOptions(proxy_.port(), remainder), callbacks()) {
-    client_.setStreaming(true);
-    client_.setTelemetryPeriod(4);
-    client_.start();
+  explicit RequestExperiment(unsigned remainder) : client_(proxy_.port(), remainder % 2 == 0 ? 1 : 0) {
     awaitPictures(3);
   }
 
- private:
-  // More bytes than can be under way.
-  static constexpr int kManyPictures = 10;
-
-  Outcome attempt(unsigned trial, Random& random) override {
+  Outcome run(unsigned trial, Random& random) override {
     Fault fault = anyFault(trial / 2, random);
     fault.direction = Direction::kToServer;
     fault.place = Place::kByte;
@@ -113,26 +83,17 @@ class RequestExperiment : public ServerExperiment {
     return {recovery, {}};
   }
 
-  void awaitPictures(int count) {
-    await([&, end = pictures_ + count] { return pictures_ >= end; }, "no picture came any more");
+ private:
+  // More bytes than can be under way.
+  static constexpr unsigned kManyPictures = 10;
+
+  void awaitPictures(unsigned count) {
+    await([&, end = client_.pictures() + count] { return client_.pictures() >= end; }, "no picture came any more");
   }
 
-  static aibo_client::ClientOptions clientOptions(int port, unsigned remainder) {
-    aibo_client::ClientOptions options;
-    options.port = port;
-    options.protocol_version = remainder % 2 == 0 ? 1 : 0;
-    return options;
-  }
-
-  aibo_client::Callbacks callbacks() {
-    aibo_client::Callbacks callbacks;
-    callbacks.on_picture = [this](const aibo_client::PicturePtr&) { ++pictures_; };
-    return callbacks;
-  }
-
-  std::atomic<int> pictures_{0};
-  FaultProxy proxy_;
-  aibo_client::RcServerClient client_;
+  RobotServer server_;
+  FaultProxy proxy_{server_.port()};
+  CountingClient client_;
 };
 
 }  // namespace
