@@ -51,11 +51,6 @@ class CameraImageFixture {
     });
   }
 
-  /// One colour.
-  static CameraImageFixture plain(Pixel colour, size_t width = 208, size_t height = 160) {
-    return CameraImageFixture(width, height, [&](size_t, size_t) { return colour; });
-  }
-
   CameraImage image() const {
     return {bytes_.data(), bytes_.data() + width_, bytes_.data() + 2 * width_, width_, height_, 6 * width_};
   }

@@ -70,10 +70,8 @@ class PictureServer {
   /// From now on it sends this as fast as clients read, in addition to its answers. It is called on the server's
   /// thread. Null: nothing.
   void flood(Flood flood) {
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      flood_ = std::move(flood);
-    }
+    const std::lock_guard<std::mutex> lock(mutex_);
+    flood_ = std::move(flood);
     wake_up_.raise();
   }
 
@@ -121,22 +119,20 @@ class PictureServer {
   void run() {
     next_picture_ = steady_clock::now();
     while (!stopping_) {
-      if (stopped_) {
-        std::vector<pollfd> polled = {{wake_up_.descriptor(), POLLIN, 0}};
-        pollUntil(&polled, steady_clock::now() + milliseconds(100));
-        wake_up_.clear();
-        next_picture_ = steady_clock::now();
-        continue;
+      std::vector<pollfd> polled = {{wake_up_.descriptor(), POLLIN, 0}};
+      TimePoint end = steady_clock::now() + milliseconds(100);
+      if (!stopped_) {
+        polled.push_back({listener_.get(), POLLIN, 0});
+        for (const Peer& peer : peers_) {
+          polled.push_back({peer.socket.get(), static_cast<short>(peer.out.empty() ? POLLIN : POLLIN | POLLOUT), 0});
+          end = peer.out.empty() ? next_picture_ : end;
+        }
       }
-      std::vector<pollfd> polled = {{wake_up_.descriptor(), POLLIN, 0}, {listener_.get(), POLLIN, 0}};
-      for (const Peer& peer : peers_) {
-        polled.push_back({peer.socket.get(), static_cast<short>(peer.out.empty() ? POLLIN : POLLIN | POLLOUT), 0});
-      }
-      const bool is_anybody_ready =
-          std::any_of(peers_.begin(), peers_.end(), [](const Peer& peer) { return peer.out.empty(); });
-      pollUntil(&polled, is_anybody_ready ? next_picture_ : steady_clock::now() + milliseconds(100));
+      pollUntil(&polled, end);
       wake_up_.clear();
-      serveAll();
+      if (!stopped_) {
+        serveAll();
+      }
     }
   }
 
@@ -218,8 +214,7 @@ class PictureServer {
         break;
       case protocol::version2::REQUEST_JOINTS:
       case protocol::version2::REQUEST_MOTORS:  // replies to orders are without their expiry
-        reply.erase(reply.begin(),
-                    reply.begin() + std::min<std::ptrdiff_t>(4, static_cast<std::ptrdiff_t>(reply.size())));
+        reply.erase(reply.begin(), reply.size() < 4 ? reply.end() : reply.begin() + 4);
         break;
       case protocol::version2::REQUEST_PLAY:
         reply.clear();
@@ -238,15 +233,11 @@ class PictureServer {
   }
 
   void sendPictures(Peer* peer) {
-    if (!peer->out.empty()) {
-      return;
-    }
-    if (!peer->owed.empty()) {
-      const int request = peer->owed.front();
+    if (peer->out.empty() && !peer->owed.empty()) {
+      sendPicture(peer->owed.front(), false, peer);
       peer->owed.erase(peer->owed.begin());
-      append(wrap(nextPicture(*peer, false), request, *peer), peer);
-    } else if (peer->streaming) {
-      append(wrap(nextPicture(*peer, true), 0, *peer), peer);
+    } else if (peer->out.empty() && peer->streaming) {
+      sendPicture(0, true, peer);
     }
   }
 
@@ -267,23 +258,19 @@ class PictureServer {
     }
   }
 
-  Bytes wrap(const Bytes& jpeg, int request, const Peer& peer) const {
-    if (!peer.version2) {
-      return test_pictures::makeReply(jpeg);
-    }
-    const Bytes payload = version2_frames::makePicture(jpeg, static_cast<unsigned>(number_));
-    return version2_frames::makeFrame(protocol::version2::PICTURE, request, payload);
-  }
-
-  Bytes nextPicture(const Peer& peer, bool may_be_spoilt) {
+  void sendPicture(int request, bool may_be_spoilt, Peer* peer) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    const test_pictures::Name name = {peer.connection, ++number_};
+    const test_pictures::Name name = {peer->connection, ++number_};
     times_[name.number % kRemembered] = steady_clock::now();
     Bytes jpeg = test_pictures::makeNamed(name);
     if (spoil_ && may_be_spoilt) {
       jpeg = std::exchange(spoil_, nullptr)(std::move(jpeg));
     }
-    return jpeg;
+    append(peer->version2
+               ? version2_frames::makeFrame(protocol::version2::PICTURE, request,
+                                            version2_frames::makePicture(jpeg, static_cast<unsigned>(name.number)))
+               : test_pictures::makeReply(jpeg),
+           peer);
   }
 
   static void append(const Bytes& bytes, Peer* peer) { peer->out.insert(peer->out.end(), bytes.begin(), bytes.end()); }

@@ -24,40 +24,22 @@ constexpr std::chrono::seconds kLastOutput{1};
 // More than a test program has open at the same time.
 constexpr int kMostDescriptors = 1024;
 
-// Between fork and exec nothing may allocate: another thread may hold the allocator's lock.
-std::vector<char*> pointers(std::vector<std::string>& texts) {
-  std::vector<char*> result;
-  for (std::string& text : texts) {
-    result.push_back(text.data());
-  }
-  result.push_back(nullptr);
-  return result;
-}
-
-std::vector<std::string> mergedEnvironment(std::map<std::string, std::string> added) {
-  // Otherwise the output of ROS_INFO and Python reaches a pipe only when the process ends.
-  added.emplace("ROSCONSOLE_STDOUT_LINE_BUFFERED", "1");
-  added.emplace("PYTHONUNBUFFERED", "1");
-  std::vector<std::string> result;
-  for (char** entry = environ; *entry != nullptr; ++entry) {
-    const std::string text = *entry;
-    if (added.count(text.substr(0, text.find('='))) == 0) {
-      result.push_back(text);
-    }
-  }
-  for (const auto& entry : added) {
-    result.push_back(entry.first + "=" + entry.second);
-  }
-  return result;
-}
-
 }  // namespace
 
 Process::Process(const std::vector<std::string>& command, const std::map<std::string, std::string>& environment) {
-  std::vector<std::string> arguments = command;
-  std::vector<std::string> variables = mergedEnvironment(environment);
-  const std::vector<char*> argv = pointers(arguments);
-  const std::vector<char*> envp = pointers(variables);
+  std::vector<std::string> words = {"env"};
+  // Otherwise the output of ROS_INFO and Python reaches a pipe only when the process ends.
+  words.insert(words.end(), {"ROSCONSOLE_STDOUT_LINE_BUFFERED=1", "PYTHONUNBUFFERED=1"});
+  for (const auto& [name, value] : environment) {
+    words.push_back(name + "=" + value);
+  }
+  words.insert(words.end(), command.begin(), command.end());
+  // Between fork and exec nothing may allocate: another thread may hold the allocator's lock.
+  std::vector<char*> arguments;
+  for (std::string& word : words) {
+    arguments.push_back(word.data());
+  }
+  arguments.push_back(nullptr);
   std::array<int, 2> pipe_ends{};
   if (::pipe2(pipe_ends.data(), O_CLOEXEC) != 0) {
     throw std::runtime_error("no pipe");
@@ -70,7 +52,7 @@ Process::Process(const std::vector<std::string>& command, const std::map<std::st
     for (int descriptor = STDERR_FILENO + 1; descriptor < kMostDescriptors; ++descriptor) {
       ::fcntl(descriptor, F_SETFD, FD_CLOEXEC);  // the child must not inherit roscpp's sockets
     }
-    ::execvpe(argv[0], argv.data(), envp.data());
+    ::execvp(arguments[0], arguments.data());
     ::_exit(127);
   }
   ::close(pipe_ends[1]);

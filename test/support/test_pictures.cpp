@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <memory>
 #include <random>
 #include <stdexcept>
@@ -14,8 +15,8 @@ namespace {
 
 constexpr unsigned kScenes = 16;      // of named pictures
 constexpr std::ptrdiff_t kStart = 2;  // behind SOI
-constexpr std::array<std::uint8_t, 8> kComment = {0xFF, 0xFE, 0, 2 + 4 + 12, 'A', 'I', 'B', 'O'};
-constexpr std::ptrdiff_t kNameSize = 12;
+constexpr std::array<std::uint8_t, 8> kComment = {0xFF, 0xFE, 0, 2 + 4 + 16, 'A', 'I', 'B', 'O'};
+using NameBytes = std::array<std::uint64_t, 2>;
 
 const Bytes& scene(std::uint64_t number) {
   static const std::vector<Bytes> scenes = [] {
@@ -26,20 +27,6 @@ const Bytes& scene(std::uint64_t number) {
     return all;
   }();
   return scenes[number % kScenes];
-}
-
-void append(std::uint64_t value, int size, Bytes* out) {
-  for (int shift = 8 * (size - 1); shift >= 0; shift -= 8) {
-    out->push_back(static_cast<std::uint8_t>(value >> shift & 0xFF));
-  }
-}
-
-std::uint64_t read(const std::uint8_t* in, int size) {
-  std::uint64_t value = 0;
-  for (int i = 0; i < size; ++i) {
-    value = value << 8 | in[i];
-  }
-  return value;
 }
 
 }  // namespace
@@ -73,22 +60,24 @@ Bytes makeNumbered(unsigned seed) {
 Bytes makeNamed(const Name& name) {
   const Bytes& jpeg = scene(name.number);
   Bytes picture;
-  picture.reserve(jpeg.size() + kComment.size() + kNameSize);
+  picture.reserve(jpeg.size() + kComment.size() + sizeof(NameBytes));
   picture.assign(jpeg.begin(), jpeg.begin() + kStart);
   picture.insert(picture.end(), kComment.begin(), kComment.end());
-  append(name.connection, 4, &picture);
-  append(name.number, 8, &picture);
+  picture.resize(picture.size() + sizeof(NameBytes));
+  const NameBytes bytes = {name.connection, name.number};
+  std::memcpy(&picture[picture.size() - sizeof bytes], bytes.data(), sizeof bytes);
   picture.insert(picture.end(), jpeg.begin() + kStart, jpeg.end());
   return picture;
 }
 
 std::optional<Name> nameOf(const Bytes& jpeg) {
-  if (jpeg.size() < kStart + kComment.size() + kNameSize ||
+  if (jpeg.size() < kStart + kComment.size() + sizeof(NameBytes) ||
       !std::equal(kComment.begin(), kComment.end(), jpeg.begin() + kStart)) {
     return std::nullopt;
   }
-  const std::uint8_t* const name = jpeg.data() + kStart + kComment.size();
-  return Name{static_cast<std::uint32_t>(read(name, 4)), read(name + 4, 8)};
+  NameBytes bytes = {};
+  std::memcpy(bytes.data(), jpeg.data() + kStart + kComment.size(), sizeof bytes);
+  return Name{static_cast<std::uint32_t>(bytes[0]), bytes[1]};
 }
 
 std::size_t findMarker(const Bytes& jpeg, std::uint8_t marker) {
