@@ -664,18 +664,13 @@ class Flooded(TestCase):
                 sent.set()
             return make(number)
         server = ScriptedServer(says_hello(b"hostile", flood=flood, answers={b"W": [[b"\1\0\0\1"]]}))
-        with start("watch", port=server.port) as watch:
-            # Not communicate(), which would wait for the process, too.
-            drains = [threading.Thread(target=pipe.read, daemon=True) for pipe in (watch.stdout, watch.stderr)]
-            for drain in drains:
-                drain.start()
+        self.addCleanup(server.end)
+        with subprocess.Popen([AIBO, "--port", str(server.port), "watch"], stdout=subprocess.DEVNULL,
+                              stderr=subprocess.DEVNULL, env=environment()) as watch:
             self.assertTrue(sent.wait(300))
             watch.send_signal(signal.SIGINT)
             usage = os.wait4(watch.pid, 0)[2]
             watch.returncode = 0
-            for drain in drains:
-                drain.join()
-        server.end()
         return usage.ru_maxrss
 
 
