@@ -1,7 +1,17 @@
 #ifndef AIBO_RCSERVER_RCSERVER_FRAME_CLOCK_H
 #define AIBO_RCSERVER_RCSERVER_FRAME_CLOCK_H
 
+#include <MCOOP.h>
+
 #include "robot_model/robot_model.h"
+
+/// The time of a clock that runs on while the robot's program stalls. Tekkotsu takes its time from the same call. The
+/// result overflows after 49 days.
+inline unsigned SystemMilliseconds() {
+  SystemTime time;
+  GetSystemTime(&time);
+  return static_cast<unsigned>(time.seconds * 1000 + time.useconds / 1000);
+}
 
 /// The present frame is the last one reported, plus the time since then. So it advances while the robot's program
 /// stalls and frames are reported late. It never goes back, although a frame that is reported may be older.
@@ -10,7 +20,7 @@
 /// LONGEST_PAUSE has no other reason. What clients have sent during the pause waits in the IPStack, and arrives within
 /// CATCHING_UP. Both values are our choice.
 ///
-/// Times are in milliseconds, on a clock that runs on while the program stalls. Frames and times may overflow.
+/// Times are those of SystemMilliseconds(). Frames and times may overflow.
 class FrameClock {
  public:
   static const unsigned LONGEST_PAUSE = 500;

@@ -13,7 +13,6 @@
 #include "rcserver/PowerDown.h"
 #include "rcserver/ReportLimit.h"
 #include "rcserver/Session.h"
-#include "rcserver/SystemMilliseconds.h"
 #include "rcserver/body/Body.h"
 #include "rcserver/camera/PictureDatagrams.h"
 #include "rcserver/camera/PictureTaker.h"

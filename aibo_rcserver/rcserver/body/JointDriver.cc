@@ -4,7 +4,7 @@
 #include <OPENR/OSyslog.h>
 #include <string.h>
 
-#include "rcserver/SystemMilliseconds.h"
+#include "rcserver/FrameClock.h"
 
 using robot_model::Joint;
 using robot_model::MAX_JOINTS;
