@@ -108,12 +108,7 @@ FileOrder::Outcome FileOrder::Finish(const FileResult& result) {
     case FileResult::DONE:
       break;
   }
-  return DONE;
-}
-
-FileOrder::Outcome FileOrder::FinishMotion(const FileResult& result) {
-  const Outcome outcome = Finish(result);
-  return outcome == DONE && operation_ == FileJob::READ ? BeginToPlay(result) : outcome;
+  return operation_ == FileJob::READ && kind_ == MOTION_FILE ? BeginToPlay(result) : DONE;
 }
 
 FileOrder::Outcome FileOrder::CheckPlay() {

@@ -11,8 +11,8 @@
 #include "rcserver/requests/FileJobs.h"
 
 /// Handles one request for the memory stick at a time, about a motion or a picture, for both versions of the protocol.
-/// The request is PENDING until Finish(), FinishMotion() or a problem ends it; until then, no other may begin. A
-/// request that fails changes nothing.
+/// The request is PENDING until Finish(), Drop() or a problem ends it; until then, no other may begin. A request that
+/// fails changes nothing.
 class FileOrder {
  public:
   enum Outcome {
@@ -65,12 +65,12 @@ class FileOrder {
   /// True if this is the result that the pending request waits for.
   bool Awaits(const FileResult& result) const { return ticket_ != 0 && result.ticket == ticket_; }
 
-  /// Finishes the pending request, but plays no motion. Call this only if Awaits(). A list is in FileResult::list.
+  /// Finishes the pending request. Call this only if Awaits(). A motion that was to be played begins.
   /// @return the outcome, never PENDING
   Outcome Finish(const FileResult& result);
 
-  /// Does the same for a request about motions. A motion that was to be played begins.
-  Outcome FinishMotion(const FileResult& result);
+  /// Drops the pending request when its result has come.
+  void Drop() { ticket_ = 0; }
 
   /// Ends the request and keeps the reason for the failure.
   /// @param format as for printf(); the text has fewer than MAX_PROBLEM_SIZE bytes

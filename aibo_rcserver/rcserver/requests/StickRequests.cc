@@ -101,18 +101,33 @@ void StickRequests::EndWaitingMotion(const char* why) {
   }
 }
 
+// A fetched picture is sent later, after EncodeFileHeader().
 void StickRequests::FileDone(const FileResult& result, unsigned now) {
   exchange_.Begin(pending_, NULL, now);
-  switch (pending_.kind) {
-    case '\0':
-      files_.Finish(result);
-      break;
-    case REQUEST_SAVE_PICTURE:
-    case REQUEST_PICTURES:
-      PictureJobDone(result);
-      break;
-    default:
-      MotionJobDone(result);
+  const bool plays = pending_.kind == REQUEST_PLAY;
+  if (pending_.kind == '\0' || (plays && !exchange_.IsInTime(play_not_after_))) {
+    files_.Drop();
+    return;
+  }
+  const FileOrder::Outcome outcome = files_.Finish(result);
+  const bool is_about_pictures = pending_.kind == REQUEST_PICTURES;
+  if (outcome != FileOrder::DONE) {
+    Answer(outcome);
+  } else if (pending_.kind == REQUEST_LIST || (is_about_pictures && pending_.id == LIST_PICTURES)) {
+    exchange_.FinishReply(encodeFileList(result.list, exchange_.Payload()));
+  } else if (plays) {
+    const MotionChanges changes = {player_.Changes(), strlen(player_.Changes())};
+    exchange_.Reply(changes);
+  } else if (pending_.kind == REQUEST_SAVE_PICTURE) {
+    StickPicture picture;
+    strcpy(picture.name, result.name);
+    exchange_.Reply(picture);
+  } else if (is_about_pictures && pending_.id == FETCH_PICTURE && result.size == 0) {
+    exchange_.Refuse(CODE_FILE_MISSING, "the file is empty; delete it");
+  } else if (is_about_pictures && pending_.id == FETCH_PICTURE) {
+    owes_file_ = true;
+  } else {
+    Answer(FileOrder::DONE);
   }
 }
 
@@ -150,41 +165,6 @@ FileOrder::Outcome StickRequests::OrderPicture() {
   }
   return camera_.RequestPicture(order) ? FileOrder::PENDING
                                        : files_.Fail(FileOrder::REFUSED, ImageObserver::TOO_MANY_OWED);
-}
-
-void StickRequests::MotionJobDone(const FileResult& result) {
-  if (pending_.kind == REQUEST_PLAY && !exchange_.IsInTime(play_not_after_)) {
-    files_.Finish(result);
-    return;
-  }
-  const FileOrder::Outcome outcome = files_.FinishMotion(result);
-  if (pending_.kind == REQUEST_LIST && outcome == FileOrder::DONE) {
-    exchange_.FinishReply(encodeFileList(result.list, exchange_.Payload()));
-  } else if (pending_.kind == REQUEST_PLAY && outcome == FileOrder::DONE) {
-    const MotionChanges changes = {player_.Changes(), strlen(player_.Changes())};
-    exchange_.Reply(changes);
-  } else {
-    Answer(outcome);
-  }
-}
-
-// A fetched file is sent later, after EncodeFileHeader().
-void StickRequests::PictureJobDone(const FileResult& result) {
-  const FileOrder::Outcome outcome = files_.Finish(result);
-  const bool is_done = outcome == FileOrder::DONE;
-  if (is_done && pending_.kind == REQUEST_SAVE_PICTURE) {
-    StickPicture picture;
-    strcpy(picture.name, result.name);
-    exchange_.Reply(picture);
-  } else if (is_done && pending_.id == LIST_PICTURES) {
-    exchange_.FinishReply(encodeFileList(result.list, exchange_.Payload()));
-  } else if (is_done && pending_.id == FETCH_PICTURE && result.size == 0) {
-    exchange_.Refuse(CODE_FILE_MISSING, "the file is empty; delete it");
-  } else if (is_done && pending_.id == FETCH_PICTURE) {
-    owes_file_ = true;
-  } else {
-    Answer(outcome);
-  }
 }
 
 void StickRequests::Answer(FileOrder::Outcome outcome) {

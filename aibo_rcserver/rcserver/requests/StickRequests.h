@@ -45,8 +45,6 @@ class StickRequests {
   bool IsStickFree();
   bool LeavesOutMissingJoints() const;
   FileOrder::Outcome OrderPicture();
-  void MotionJobDone(const FileResult& result);
-  void PictureJobDone(const FileResult& result);
   void Answer(FileOrder::Outcome outcome);
 
   MotionPlayer& player_;

@@ -32,7 +32,7 @@ class Version1 {
 
   /// Answers the request that has been waiting for the memory stick.
   /// @param result the result that the FileOrder awaits
-  void FileDone(const FileResult& result) { Answer(files_.FinishMotion(result)); }
+  void FileDone(const FileResult& result) { Answer(files_.Finish(result)); }
 
  private:
   static const int IDENTIFIERS = 256;
