@@ -6,7 +6,7 @@
 namespace {
 
 const unsigned LOOPBACK = 0x7f000001;
-const unsigned ALL_BITS = 0xffffffff;
+const unsigned ALL_BITS = 32;
 
 const char NO_ADDRESS[] = "it is not a list of addresses such as 192.168.1.20, 192.168.2.0/24";
 
@@ -42,7 +42,7 @@ bool ReadAddress(const char** text, unsigned* address) {
 }
 
 unsigned MaskOf(unsigned bits) {
-  return bits == 0 ? 0 : ALL_BITS << (32 - bits);
+  return bits == 0 ? 0 : 0xffffffff << (ALL_BITS - bits);
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ const size_t AllowedAddresses::ENTRY_TEXT_SIZE;
 void AllowedAddresses::AllowOnlyThisComputer() {
   is_any_ = false;
   ranges_[0].address = LOOPBACK;
-  ranges_[0].mask = ALL_BITS;
+  ranges_[0].bits = ALL_BITS;
   number_of_ranges_ = 1;
 }
 
@@ -85,7 +85,7 @@ const char* AllowedAddresses::Read(const char* list) {
 bool AllowedAddresses::Allow(unsigned address) const {
   bool is_allowed = is_any_;
   for (int i = 0; i < number_of_ranges_; ++i) {
-    is_allowed = is_allowed || (address & ranges_[i].mask) == ranges_[i].address;
+    is_allowed = is_allowed || (address & MaskOf(ranges_[i].bits)) == ranges_[i].address;
   }
   return is_allowed;
 }
@@ -94,28 +94,23 @@ void AllowedAddresses::PrintEntry(int entry, char (&text)[ENTRY_TEXT_SIZE]) cons
   const unsigned address = ranges_[entry].address;
   const int size =
       sprintf(text, "%u.%u.%u.%u", address >> 24, (address >> 16) & 0xff, (address >> 8) & 0xff, address & 0xff);
-  unsigned bits = 0;
-  while (bits < 32 && MaskOf(bits) != ranges_[entry].mask) {
-    ++bits;
-  }
-  if (bits < 32) {
-    sprintf(text + size, "/%u", bits);
+  if (ranges_[entry].bits < ALL_BITS) {
+    sprintf(text + size, "/%u", ranges_[entry].bits);
   }
 }
 
 // Reads a.b.c.d or a.b.c.d/n and steps over it.
 const char* AllowedAddresses::ReadRange(const char** text, Range* range) {
-  unsigned bits = 32;
+  range->bits = ALL_BITS;
   if (!ReadAddress(text, &range->address)) {
     return NO_ADDRESS;
   }
   if (**text == '/') {
     ++*text;
-    if (!ReadNumber(text, 32, &bits)) {
+    if (!ReadNumber(text, ALL_BITS, &range->bits)) {
       return "it needs a number from 0 to 32 after the /";
     }
   }
-  range->mask = MaskOf(bits);
-  range->address &= range->mask;
+  range->address &= MaskOf(range->bits);
   return NULL;
 }

@@ -39,7 +39,7 @@ class AllowedAddresses {
  private:
   struct Range {
     unsigned address;
-    unsigned mask;
+    unsigned bits;  ///< how many of the first bits matter; the others are 0
   };
 
   static const char* ReadRange(const char** text, Range* range);
