@@ -12,24 +12,13 @@ namespace {
 const char LOCATOR[] = "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1";
 const int CAMERA = 0;
 
-bool IsAutomatic(CameraSetting setting) {
-  return setting >= protocol::version2::SETTING_AUTO_EXPOSURE;
-}
-
-OPrimitiveRequest RequestFor(CameraSetting setting, unsigned char value) {
-  switch (setting) {
-    case protocol::version2::SETTING_WHITE_BALANCE:
-      return oprmreqCAM_SET_WHITE_BALANCE;
-    case protocol::version2::SETTING_GAIN:
-      return oprmreqCAM_SET_GAIN;
-    case protocol::version2::SETTING_SHUTTER_SPEED:
-      return oprmreqCAM_SET_SHUTTER_SPEED;
-    case protocol::version2::SETTING_AUTO_EXPOSURE:
-      return value != 0 ? oprmreqCAM_AE_ON : oprmreqCAM_AE_OFF;
-    default:
-      return value != 0 ? oprmreqCAM_AWB_ON : oprmreqCAM_AWB_OFF;
-  }
-}
+// The requests for each setting. Each automatic mode has one for off and one for on; others take the value.
+const OPrimitiveRequest REQUESTS[protocol::version2::NUMBER_OF_CAMERA_SETTINGS][2] = {
+    {oprmreqCAM_SET_WHITE_BALANCE, oprmreqCAM_SET_WHITE_BALANCE},
+    {oprmreqCAM_SET_GAIN, oprmreqCAM_SET_GAIN},
+    {oprmreqCAM_SET_SHUTTER_SPEED, oprmreqCAM_SET_SHUTTER_SPEED},
+    {oprmreqCAM_AE_OFF, oprmreqCAM_AE_ON},
+    {oprmreqCAM_AWB_OFF, oprmreqCAM_AWB_ON}};
 
 }  // namespace
 
@@ -62,9 +51,10 @@ void CameraControl::ClientGone() {
 
 bool CameraControl::Command(CameraSetting setting, unsigned char value) {
   OPrimitiveControl_CameraParam param(value);
-  const OStatus status =
-      IsAutomatic(setting) ? OPENR::ControlPrimitive(Id(), RequestFor(setting, value), NULL, 0, NULL, 0)
-                           : OPENR::ControlPrimitive(Id(), RequestFor(setting, value), &param, sizeof(param), NULL, 0);
+  const bool is_automatic = setting >= protocol::version2::SETTING_AUTO_EXPOSURE;
+  const OPrimitiveRequest request = REQUESTS[setting - 1][value != 0 ? 1 : 0];
+  const OStatus status = is_automatic ? OPENR::ControlPrimitive(Id(), request, NULL, 0, NULL, 0)
+                                      : OPENR::ControlPrimitive(Id(), request, &param, sizeof(param), NULL, 0);
   if (status != oSUCCESS) {
     OSYSLOG1((osyslogERROR, "RCServer: the camera does not take the value %d of its setting %d (status %u)",
               static_cast<int>(value), static_cast<int>(setting), static_cast<unsigned>(status)));
