@@ -4,15 +4,11 @@
 
 #include <algorithm>
 
-using robot_model::MAX_EARS;
-using robot_model::MAX_JOINTS;
-using robot_model::MAX_LEDS;
-using robot_model::RobotModel;
+using namespace robot_model;
 
 namespace {
 
-const char* const PAWS[robot_model::NUMBER_OF_LEGS] = {"paw_left_front", "paw_left_hind", "paw_right_front",
-                                                       "paw_right_hind"};
+const char* const PAWS[NUMBER_OF_LEGS] = {"paw_left_front", "paw_left_hind", "paw_right_front", "paw_right_hind"};
 
 }  // namespace
 
@@ -30,7 +26,7 @@ Body::Body()
 const RobotModel& Body::FindModel() {
   design_[0] = '\0';
   OPENR::GetRobotDesign(design_);
-  const RobotModel* const model = robot_model::findRobotModel(design_);
+  const RobotModel* const model = findRobotModel(design_);
   if (model == NULL) {
     OSYSLOG1((osyslogERROR, "RCServer: no joints, sensors and LEDs: the design \"%s\" is not known", design_));
     return EMPTY_ROBOT;
@@ -104,7 +100,7 @@ void Body::WatchWalk(longword frame) {
                                 Measured("acceleration_right_left"),
                                 -Measured("acceleration_up_down"),
                                 {false, false, false, false}};
-  std::copy(around.paws, around.paws + robot_model::NUMBER_OF_LEGS, reading.paws);
+  std::copy(around.paws, around.paws + NUMBER_OF_LEGS, reading.paws);
   Joints().Measured(reading, frame);
   walker.HaveLooked(around);
   if (walker.GoesSoft()) {
@@ -120,14 +116,14 @@ WalkGuard::Reading Body::LookAround() {
   reading.chest = Measured("range_chest");
   reading.near = Measured("range_near");
   reading.far = Measured("range_far");
-  for (int leg = 0; leg < robot_model::NUMBER_OF_LEGS; ++leg) {
+  for (int leg = 0; leg < NUMBER_OF_LEGS; ++leg) {
     reading.paws[leg] = Measured(PAWS[leg]) != 0;
   }
   double* const angles[] = {&reading.head.neck_tilt, &reading.head.head_pan, &reading.head.head_tilt};
   static const char* const HEAD[] = {"neck_tilt", "head_pan", "head_tilt"};
   for (int i = 0; i < 3; ++i) {
     const int joint = findJointByName(model_, HEAD[i]);
-    *angles[i] = joint == robot_model::NO_JOINT ? 0 : Joints().Position(joint) * 1e-6;
+    *angles[i] = joint == NO_JOINT ? 0 : Joints().Position(joint) * 1e-6;
   }
   return reading;
 }
@@ -135,7 +131,7 @@ WalkGuard::Reading Body::LookAround() {
 // The sensor's value; 0 if there is no such sensor, or if it has not measured yet.
 double Body::Measured(const char* sensor) const {
   const int found = findSensorByName(model_, sensor);
-  return found == robot_model::NO_SENSOR ? 0 : sensor_driver_.Value(found) * 1e-6;
+  return found == NO_SENSOR ? 0 : sensor_driver_.Value(found) * 1e-6;
 }
 
 void Body::CutMotors() {

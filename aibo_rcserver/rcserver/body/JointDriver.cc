@@ -6,10 +6,7 @@
 
 #include "rcserver/FrameClock.h"
 
-using robot_model::Joint;
-using robot_model::MAX_JOINTS;
-using robot_model::PidGains;
-using robot_model::RobotModel;
+using namespace robot_model;
 
 JointDriver::JointDriver(const RobotModel& robot)
     : robot_(OpenPrimitives(robot) ? robot : EMPTY_ROBOT),

@@ -2,10 +2,7 @@
 
 #include <string.h>
 
-using robot_model::EAR_JOINT4;
-using robot_model::LED2;
-using robot_model::MAX_EARS;
-using robot_model::MAX_LEDS;
+using namespace robot_model;
 
 namespace {
 
@@ -13,7 +10,7 @@ const LightDriver::LedState OFF = {0, false};
 const unsigned char FULL = 255;
 
 // An LED needs one command, which lasts as long as the joint commands in the same vector.
-OCommandValue CommandOf(const LightDriver::LedState& state, robot_model::LedKind kind) {
+OCommandValue CommandOf(const LightDriver::LedState& state, LedKind kind) {
   OCommandValue command;
   if (kind == LED2) {
     OLEDCommandValue2 value = {state.intensity > 0 ? oledON : oledOFF, CommandVectors::FRAMES, 0};
@@ -27,7 +24,7 @@ OCommandValue CommandOf(const LightDriver::LedState& state, robot_model::LedKind
 }
 
 // Ears are commanded frame by frame. JOINT_COMMAND3 has the state at the same offset, but has no period.
-OCommandValue CommandOf(bool is_drawn, robot_model::EarKind kind) {
+OCommandValue CommandOf(bool is_drawn, EarKind kind) {
   OCommandValue command;
   const word period = kind == EAR_JOINT4 ? 1 : 0;
   OJointCommandValue4 value = {is_drawn ? ojoint4_STATE1 : ojoint4_STATE0, period, 0};
@@ -121,7 +118,7 @@ bool LightDriver::HasChanged(int led) const {
 }
 
 void LightDriver::CommandLed(RCRegion* vector, int led) {
-  const robot_model::LedKind kind = robot_.leds[led].kind;
+  const LedKind kind = robot_.leds[led].kind;
   commanded_[led] = leds_[led];
   const ODataType type = kind == LED2 ? odataLED_COMMAND2 : odataLED_COMMAND3;
   OCommandData* data = CommandVectors::Add(vector, type, led_primitives_.Id(led), 1);

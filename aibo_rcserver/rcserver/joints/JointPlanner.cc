@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-using robot_model::Coupling;
-using robot_model::FRAME_MILLISECONDS;
-using robot_model::Joint;
+using namespace robot_model;
 
 const int JointPlanner::FOLLOWING;
 const unsigned JointPlanner::NO_COMMAND;
@@ -22,7 +20,7 @@ int Clamped(int value, int low, int high) {
 }
 
 // The follower's lower limit if the leader may be anywhere in the span. The limit is highest at one end of the span
-// (robot_model::Coupling).
+// (robot_model.h).
 int CoupledLowest(const Coupling& coupling, const JointPath::Span& leader) {
   return std::max(coupledLowest(coupling, leader.low), coupledLowest(coupling, leader.high));
 }
@@ -30,7 +28,7 @@ int CoupledLowest(const Coupling& coupling, const JointPath::Span& leader) {
 }  // namespace
 
 JointPlanner::JointPlanner(const robot_model::RobotModel& robot) : robot_(robot), last_command_(NO_COMMAND) {
-  int posture[robot_model::MAX_JOINTS] = {0};
+  int posture[MAX_JOINTS] = {0};
   clampPosture(robot_, posture);
   for (int i = 0; i < robot_.number_of_joints; ++i) {
     paths_[i].Place(posture[i]);

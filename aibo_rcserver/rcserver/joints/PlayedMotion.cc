@@ -7,9 +7,7 @@
 
 #include <algorithm>
 
-using robot_model::MAX_EARS;
-using robot_model::MAX_JOINTS;
-using robot_model::RobotModel;
+using namespace robot_model;
 
 const int PlayedMotion::APPROACH_SPEED;
 
@@ -65,7 +63,7 @@ bool PlayedMotion::SharesJoint(const PlayedMotion& other, int* joint) const {
 
 void PlayedMotion::NextFrame(JointPlanner& planner, unsigned now) {
   begun_ = played_ == 0 ? now : begun_;
-  played_ += robot_model::FRAME_MILLISECONDS;
+  played_ += FRAME_MILLISECONDS;
   if (phase_ == ARRIVING && HaveArrived(planner)) {
     Repeat();
   }
@@ -121,7 +119,7 @@ void PlayedMotion::GoTo(int key_frame, const JointPlanner& planner) {
 
 // Finds the key frame that is next at this time, or ends the repetition after the last key frame.
 void PlayedMotion::PassTime(const JointPlanner& planner) {
-  milliseconds_ += robot_model::FRAME_MILLISECONDS;
+  milliseconds_ += FRAME_MILLISECONDS;
   while (phase_ == PLAYING) {
     if (key_frame_ == fitted_.numberOfKeyFrames()) {
       if (repetitions_left_ == 1 || !IsClosed()) {

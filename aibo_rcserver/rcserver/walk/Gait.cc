@@ -5,10 +5,7 @@
 #include <algorithm>
 
 using protocol::version2::Velocity;
-using robot_model::FOOT_RADIUS;
-using robot_model::Leg;
-using robot_model::LegAngles;
-using robot_model::Point;
+using namespace robot_model;
 
 namespace {
 
@@ -180,7 +177,7 @@ void Gait::FindPosture(double phase, const Velocity& velocity, double effort, Le
   const double waves = ShareOfWaves(velocity.forward);
   const double shift_ahead = effort * (1 - waves) * shift.x;
   const double shift_left = effort * shift.y - LAG_ASIDE * (velocity.left + TURNS_AHEAD * velocity.turn);
-  for (int i = 0; i < robot_model::NUMBER_OF_LEGS; ++i) {
+  for (int i = 0; i < NUMBER_OF_LEGS; ++i) {
     const Leg leg = static_cast<Leg>(i);
     const Point middle = FootMiddle(step, leg);
     const double time = LegPhase(leg, phase);
@@ -227,7 +224,7 @@ void Gait::AddWaves(Leg leg, double phase, double share, LegAngles* angles) cons
 }
 
 double Gait::LegPhase(Leg leg, double phase) {
-  const bool is_first_pair = leg == robot_model::LEFT_FRONT_LEG || leg == robot_model::RIGHT_HIND_LEG;
+  const bool is_first_pair = leg == LEFT_FRONT_LEG || leg == RIGHT_HIND_LEG;
   const double shifted = is_first_pair ? phase : phase + 0.5;
   return shifted - floor(shifted);
 }

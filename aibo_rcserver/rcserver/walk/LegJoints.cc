@@ -6,10 +6,7 @@
 
 #include <algorithm>
 
-using robot_model::JOINTS_OF_A_LEG;
-using robot_model::Leg;
-using robot_model::LegAngles;
-using robot_model::NO_JOINT;
+using namespace robot_model;
 
 namespace {
 
@@ -41,7 +38,7 @@ bool LegJoints::Has(int joint) const {
 }
 
 void LegJoints::Find(const int* positions, LegAngles* legs) const {
-  for (int i = 0; i < robot_model::NUMBER_OF_LEGS; ++i) {
+  for (int i = 0; i < NUMBER_OF_LEGS; ++i) {
     const int* const leg = joints_ + i * JOINTS_OF_A_LEG;
     legs[i].rotator = positions[leg[0]] * MICRO;
     legs[i].elevator = positions[leg[1]] * MICRO;
@@ -50,7 +47,7 @@ void LegJoints::Find(const int* positions, LegAngles* legs) const {
 }
 
 void LegJoints::Find(LegAngles* legs) const {
-  int positions[robot_model::MAX_JOINTS];
+  int positions[MAX_JOINTS];
   for (int i = 0; i < robot_.number_of_joints; ++i) {
     positions[i] = planner_.Position(i);
   }

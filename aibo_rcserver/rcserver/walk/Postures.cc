@@ -5,10 +5,7 @@
 #include <algorithm>
 
 using namespace protocol::version2;
-using robot_model::Leg;
-using robot_model::LegAngles;
-using robot_model::NUMBER_OF_LEGS;
-using robot_model::Point;
+using namespace robot_model;
 
 namespace {
 

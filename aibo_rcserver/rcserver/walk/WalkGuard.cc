@@ -8,15 +8,11 @@
 #include "robot_model/robot_model.h"
 
 using protocol::version2::Velocity;
-using robot_model::FOOT_RADIUS;
-using robot_model::Leg;
-using robot_model::LegAngles;
-using robot_model::NUMBER_OF_LEGS;
-using robot_model::Point;
+using namespace robot_model;
 
 namespace {
 
-const double FRAME = robot_model::FRAME_MILLISECONDS * 1e-3;  // s
+const double FRAME = FRAME_MILLISECONDS * 1e-3;  // s
 
 // Both are from Tekkotsu's kinematic table of the ERS-7. The chest sensor looks down by 30 degrees.
 const Point CHEST = {0.109136, 0, -0.003384};
@@ -97,8 +93,8 @@ WalkGuard::WalkGuard(const Gait& gait) : gait_(gait) {
   const Velocity none = {0, 0, 0};
   LegAngles legs[NUMBER_OF_LEGS];
   gait_.FindPosture(0, none, 0, legs);
-  const Point front = findFoot(robot_model::LEFT_FRONT_LEG, legs[robot_model::LEFT_FRONT_LEG]);
-  const Point hind = findFoot(robot_model::LEFT_HIND_LEG, legs[robot_model::LEFT_HIND_LEG]);
+  const Point front = findFoot(LEFT_FRONT_LEG, legs[LEFT_FRONT_LEG]);
+  const Point hind = findFoot(LEFT_HIND_LEG, legs[LEFT_HIND_LEG]);
   front_corner_.x = front.x + LONGEST_STEP;
   front_corner_.y = front.y + FOOT_RADIUS;
   hind_corner_.x = hind.x - LONGEST_STEP;

@@ -5,14 +5,11 @@
 #include "robot_model/robot_model.h"
 
 using protocol::version2::Velocity;
-using robot_model::Leg;
-using robot_model::LegAngles;
-using robot_model::NUMBER_OF_LEGS;
-using robot_model::Point;
+using namespace robot_model;
 
 namespace {
 
-const double FRAME = robot_model::FRAME_MILLISECONDS * 1e-3;  // s
+const double FRAME = FRAME_MILLISECONDS * 1e-3;  // s
 
 // The part of the feet's way to the side that the body goes. It is below 1 because the body rocks and the feet slip.
 // The value is the middle of many robots and floors on the bench in test/physics.
@@ -21,7 +18,7 @@ const double SIDEWAYS = 0.92;
 const Velocity NO_VELOCITY = {0, 0, 0};
 
 bool IsOfFirstPair(int leg) {
-  return leg == robot_model::LEFT_FRONT_LEG || leg == robot_model::RIGHT_HIND_LEG;
+  return leg == LEFT_FRONT_LEG || leg == RIGHT_HIND_LEG;
 }
 
 Point Mean(const Point* points, int count) {

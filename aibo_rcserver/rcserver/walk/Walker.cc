@@ -7,13 +7,11 @@
 #include <algorithm>
 
 using namespace protocol::version2;
-using robot_model::LegAngles;
-using robot_model::NO_JOINT;
-using robot_model::NUMBER_OF_LEGS;
+using namespace robot_model;
 
 namespace {
 
-const double FRAME = robot_model::FRAME_MILLISECONDS * 1e-3;  // s
+const double FRAME = FRAME_MILLISECONDS * 1e-3;  // s
 
 // Frames until joints have followed commands, which are up to 8 frames ahead, and servos lag. Our choice.
 const unsigned FRAMES_TO_FOLLOW = 25;
