@@ -37,7 +37,6 @@ class Connection {
   /// @return false if the IPStack has no memory for it
   bool Create(OID object);
 
-  /// Gives the shared buffer back.
   void Destroy();
 
   bool IsClosed() const { return state_ == CLOSED; }
@@ -68,10 +67,7 @@ class Connection {
   /// The answer to Close().
   void Closed();
 
-  /// True while something is being sent.
   bool IsSending() const { return client_.sending; }
-
-  /// True while a picture is being sent.
   bool IsSendingPicture() const { return client_.is_sending_picture; }
 
   /// Buffer of SEND_CAPACITY bytes for the next message or picture. Do not use it while IsSending().
@@ -91,14 +87,9 @@ class Connection {
   /// @return false if the IPStack refuses
   bool Receive();
 
-  /// The answer to Receive().
   void Received(size_t size);
-
-  /// The received bytes that have not been taken yet.
   const byte* ReceivedBytes() const { return ReceiveBuffer() + client_.received_begin; }
   size_t ReceivedSize() const { return client_.received_end - client_.received_begin; }
-
-  /// Marks all received bytes as taken.
   void TakeReceived() { client_.received_begin = client_.received_end; }
 
   /// True if a client has connected since the last call of Listen().

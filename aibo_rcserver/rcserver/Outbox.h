@@ -18,13 +18,11 @@ class NewestMessage {
  public:
   NewestMessage() : size_(0) {}
 
-  /// Replaces the waiting message.
   void Set(const unsigned char* message, size_t size) {
     memcpy(bytes_, message, size);
     size_ = size;
   }
 
-  /// Drops the waiting message.
   void Drop() { size_ = 0; }
 
   bool IsEmpty() const { return size_ == 0; }
@@ -76,7 +74,6 @@ class Outbox {
   /// Bytes of the largest message: a list of motions in version 2. (MAX_MESSAGE_SIZE is a macro of the SDK.)
   static const size_t MAX_REPLY_SIZE = protocol::version2::FRAME_HEADER_SIZE + protocol::version2::MAX_FILE_LIST_SIZE;
 
-  /// Bytes of a refusal.
   static const size_t MAX_REFUSAL_SIZE =
       protocol::version2::FRAME_HEADER_SIZE + protocol::version2::MAX_ERROR_MESSAGE_SIZE;
 
@@ -93,19 +90,15 @@ class Outbox {
   /// Room for messages in order: two such replies, of which one may be reserved, and others.
   static const size_t REPLIES_CAPACITY = 2 * ROOM + MAX_REPLY_SIZE;
 
-  /// Bytes of the largest telemetry message.
   static const size_t MAX_TELEMETRY_SIZE =
       protocol::version2::FRAME_HEADER_SIZE + protocol::version2::MAX_TELEMETRY_SIZE;
 
-  /// Bytes of the largest message about detected colours.
   static const size_t MAX_COLORS_SIZE =
       protocol::version2::FRAME_HEADER_SIZE + protocol::version2::MAX_COLOR_REGIONS_SIZE + MAX_PACKED_PLANE_SIZE;
 
-  /// Bytes of the largest sound message.
   static const size_t MAX_SOUND_SIZE =
       protocol::version2::FRAME_HEADER_SIZE + protocol::version2::HEARD_SOUND_HEADER_SIZE + 4 * Microphone::MAX_SAMPLES;
 
-  /// Most bytes that are sent at once.
   static const size_t CAPACITY =
       REPLIES_CAPACITY + MAX_TELEMETRY_SIZE + MAX_COLORS_SIZE + MAX_SOUND_SIZE + SoundQueue::PORTION;
 

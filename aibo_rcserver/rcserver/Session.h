@@ -23,7 +23,6 @@
 /// requests of version 1 wait, so that their replies keep their order.
 class Session {
  public:
-  /// Most bytes for one AddInput().
   static const size_t INPUT_CAPACITY = protocol::RequestReader::MAX_APPENDED;
 
   /// Largest header of a picture or file, in either version.
@@ -51,7 +50,6 @@ class Session {
   /// connection must be dropped.
   bool IsWithStranger() const { return talk_.is_stranger || talk_.opening.verdict() == protocol::Opening::STRANGER; }
 
-  /// True if the client has sent at least one whole request.
   bool HasRequested() const { return talk_.has_requested; }
 
   /// Handles requests while there is room for the answers. Call it after bytes were added or taken, and after a request
@@ -85,8 +83,6 @@ class Session {
   ColorRequests& Colors() { return version2_.Colors(); }
   SoundRequests& Sound() { return version2_.Sound(); }
   StickRequests& Stick() { return version2_.Stick(); }
-
-  /// True if sound waits to be sent.
   bool SoundWaits() const { return outbox_.HasSound(); }
 
   bool HasOutput() const { return !outbox_.IsEmpty(); }
@@ -102,7 +98,6 @@ class Session {
   /// depends on the memory stick.
   bool IsOver() const { return talk_.is_over || (IsEnding() && !files_.IsPending()); }
 
-  /// Why the session is over.
   const char* EndReason() const { return talk_.is_over ? "it broke the protocol" : talk_.power_reason; }
 
   /// True if a client that is silent has to be dropped, as in version 2.

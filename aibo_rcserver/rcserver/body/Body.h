@@ -29,7 +29,6 @@ class Body {
   /// @param effector, speaker gates to OVirtualRobotComm.Effector and OVirtualRobotAudioComm.Speaker
   void Start(OSubject* effector, OSubject* speaker);
 
-  /// The name of the robot's design in OPEN-R.
   const char* Design() const { return design_; }
 
   JointControl& Joints() { return joint_driver_.Joints(); }

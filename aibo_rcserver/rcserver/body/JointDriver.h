@@ -24,8 +24,6 @@ class JointDriver : public MotorSwitch {
 
   virtual bool AreOn() const { return state_ != OFF; }
   virtual bool Switch(bool on);
-
-  /// True if the joints must be commanded.
   bool HasCommand() const;
 
   /// Adds commands to all joints.

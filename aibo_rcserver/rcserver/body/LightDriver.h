@@ -14,7 +14,6 @@
 /// Sony's samples, and released. It then rests for 128 ms before it can be drawn again.
 class LightDriver {
  public:
-  /// The state of an LED.
   struct LedState {
     unsigned char intensity;  ///< 0..255; 0 or 255 for an LED that is only on or off
     bool is_mode_b;           ///< always false for an LED that is only on or off
@@ -49,7 +48,6 @@ class LightDriver {
   /// Switches all LEDs off and releases all ears, for the next client.
   void ClientGone();
 
-  /// True if an LED or ear must be commanded.
   bool HasCommand() const;
 
   /// Adds all commands to a vector. For the ears, CommandVectors::FRAMES frames pass.

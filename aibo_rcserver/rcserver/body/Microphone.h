@@ -25,10 +25,7 @@ class Microphone {
   /// True if the client wants pictures to wait for sound.
   bool GoesFirst() const { return (settings_.mode & protocol::version2::SOUND_FIRST) != 0; }
 
-  /// Sets the sound that is requested from now on.
   void Set(const protocol::version2::MicrophoneSettings& settings);
-
-  /// Stops asking for sound.
   void ClientGone();
 
   /// Call this after a vector has been processed.

@@ -15,7 +15,6 @@ const robot_model::RobotModel EMPTY_ROBOT = {"", 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0
 /// Opens the primitives of a table and finds them again.
 class Primitives {
  public:
-  /// Most rows that a table can have.
   static const int MAX_ROWS = 32;
 
   /// Returned by Find() for a primitive that is not open here.
@@ -30,13 +29,10 @@ class Primitives {
   /// @return false if it does not open
   bool Open(int row, const char* name, const char* locator);
 
-  /// Closes all primitives.
   void Close();
 
   bool IsOpen(int row) const { return ids_[row] != oprimitiveID_UNDEF; }
   OPrimitiveID Id(int row) const { return ids_[row]; }
-
-  /// The row of an open primitive.
   int Find(OPrimitiveID id) const;
 
  private:
@@ -56,10 +52,7 @@ class SensorReports {
   /// @return false if there are no more
   bool Next();
 
-  /// The table's row of the primitive that reports.
   int Row() const { return row_; }
-
-  /// The last frame in the report.
   longword Frame() const { return Info().frameNumber + LastIndex(); }
 
   /// The report's value for that frame.

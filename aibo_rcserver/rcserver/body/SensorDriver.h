@@ -21,7 +21,6 @@ class SensorDriver {
   /// @return the sensor with this identifier of docs/protocol.md, or robot_model::NO_SENSOR
   int Find(int identifier) const { return findSensorByIdentifier(robot_, identifier); }
 
-  /// False until the sensor has measured something.
   bool HasValue(int sensor) const { return has_value_[sensor]; }
 
   /// The sensor's value; 0 until it has measured something.
@@ -32,7 +31,6 @@ class SensorDriver {
   /// @return false if no sensor reports
   bool Read(OSensorFrameVectorData* vector, longword* frame);
 
-  /// Stores one value.
   void Measured(int sensor, int value);
 
  private:

@@ -25,7 +25,6 @@ class Speaker {
   /// @return NULL, or why the samples are refused; in that case nothing changes
   const char* Play(const protocol::version2::PlayedSound& part);
 
-  /// The number of samples that there is room for.
   unsigned Room() const;
 
   /// True if little of the present sound waits, and more is to come.
@@ -33,7 +32,6 @@ class Speaker {
     return sound_.is_playing && !sound_.has_last && Room() > protocol::version2::SPEAKER_CAPACITY / 2;
   }
 
-  /// Call this on READY.
   void IsReady();
 
   /// Takes out the report of a sound that has ended.
@@ -44,7 +42,6 @@ class Speaker {
   /// @return false if the robot refuses; the console says why
   bool SetVolume(unsigned char step);
 
-  /// The volume in force.
   unsigned char Volume() const;
 
   /// Stops the sound. Vectors that have already been sent are still played, at most 64 ms.

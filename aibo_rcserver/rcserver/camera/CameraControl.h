@@ -16,17 +16,13 @@ class CameraControl {
   /// @return false if it does not open; the console says so
   bool Open();
 
-  /// The camera's primitive, if it is open.
   OPrimitiveID Id() const;
 
   /// @param value valid for the setting (protocol::version2::problemOfCameraValue())
   /// @return false if the robot refuses; in that case nothing changes, and the console says why
   bool Set(protocol::version2::CameraSetting setting, unsigned char value);
 
-  /// The settings in force.
   const protocol::version2::CameraSettings& Settings() const { return settings_; }
-
-  /// Restores the defaults for the next client.
   void ClientGone();
 
  private:

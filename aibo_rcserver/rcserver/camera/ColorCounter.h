@@ -16,7 +16,6 @@ struct ColorPlane {
   size_t height;                ///< pixels, including the last row
   size_t stride;                ///< bytes from one row to the next
 
-  /// Number of rows with valid pixels.
   size_t Rows() const { return height - 1; }
 };
 

@@ -12,7 +12,6 @@ enum ImageObserverState {
   IOS_STOPSEND     ///< stop sending stream
 };
 
-/// The kind of picture to make.
 struct PictureOrder {
   unsigned char quality;          ///< JPEG quality, 0..100
   unsigned char layer;            ///< protocol::version2::Layer; always 0 in version 1

@@ -20,7 +20,6 @@ class DatagramSwitch {
   /// @return false if the IPStack refuses; in that case no datagrams are sent
   virtual bool SendTo(const protocol::version2::DatagramOrder& order) = 0;
 
-  /// Stops sending datagrams.
   virtual void Stop() = 0;
 
   /// Stops sending datagrams. Pictures that the client may not have yet are kept, so that they can be sent by TCP.
@@ -61,7 +60,6 @@ class PictureDatagrams : public DatagramSwitch {
   /// @return false if the IPStack has no memory for it
   bool Create(OID object);
 
-  /// Gives the shared buffer back.
   void Destroy();
 
   /// Call this when a client has connected from this address.
@@ -70,11 +68,7 @@ class PictureDatagrams : public DatagramSwitch {
   virtual bool SendTo(const protocol::version2::DatagramOrder& order);
   virtual void Stop();
   virtual void HandOver();
-
-  /// True if pictures of the stream go as datagrams.
   bool IsOn() const { return order_.port != 0 && !order_.is_test; }
-
-  /// True while a picture has not been sent completely.
   bool HasPicture() const { return is_sending_ || HasUnsent(); }
 
   /// False while too many pictures wait to be acknowledged.
@@ -92,7 +86,6 @@ class PictureDatagrams : public DatagramSwitch {
   /// Handles a received datagram. Only the client's datagrams count.
   void Received(const UDPEndpointReceiveMsg& answer);
 
-  /// A picture that is kept.
   struct KeptPicture {
     protocol::version2::ImageHeader image;
     const byte* jpeg;

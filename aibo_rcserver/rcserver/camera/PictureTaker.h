@@ -32,10 +32,7 @@ class PictureTaker {
   /// The camera's 16-bit image count, extended to 32 bits.
   unsigned ImageCount() const { return image_count_; }
 
-  /// True if an image has the bands for double resolution.
   static bool HasDetail(OFbkImageVectorData* image);
-
-  /// True if an image can wait.
   bool HasRoom() const { return jobs_.Memory() != NULL; }
 
   /// Keeps the last counted image for the next picture, and replaces an image that waits. Call it only if HasRoom().

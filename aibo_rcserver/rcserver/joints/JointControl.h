@@ -54,7 +54,6 @@ class JointControl {
   /// that moves it ends.
   void Stop(int joint);
 
-  /// Carries out an order to hold all joints.
   void StopAll();
 
   /// Carries out an order to walk or to take a posture (Walker). Commands and motions that move the legs end when it

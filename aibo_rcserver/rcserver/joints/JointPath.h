@@ -16,7 +16,6 @@
 /// 0.
 class JointPath {
  public:
-  /// The range of positions that a joint passes while it brakes.
   struct Span {
     int low;
     int high;

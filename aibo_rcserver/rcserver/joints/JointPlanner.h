@@ -64,7 +64,6 @@ class JointPlanner {
   /// a low limit does not delay a stop. A leader whose target needs the joint to move on is stopped, too.
   void Hold(int joint);
 
-  /// Stops all joints.
   void HoldAll();
 
   /// @param limit the limit in microradian/s, clamped to 125..the joint's highest speed (robot_model.h). A joint that
@@ -72,8 +71,6 @@ class JointPlanner {
   /// @return the limit accepted
   int SetSpeedLimit(int joint, int limit);
   int SpeedLimit(int joint) const { return speed_limits_[joint]; }
-
-  /// The limits of all joints, in the order of the robot's table.
   const int* SpeedLimits() const { return speed_limits_; }
 
   /// @param limit the limit in microradian/s^2, clamped to 15625..the one that reaches the joint's highest speed within

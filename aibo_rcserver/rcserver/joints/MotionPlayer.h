@@ -15,10 +15,7 @@
 /// A motion always ends as a whole, because half a motion can make the robot fall.
 class MotionPlayer {
  public:
-  /// The most motions at once.
   static const int MAX_PLAYING = OrderBook::MAX_MOTIONS;
-
-  /// Room for a problem that Play() returns.
   static const size_t MAX_PROBLEM_SIZE = 256;
 
   /// If a motion was late by at least this time, in milliseconds, its end says that the program stalled. Vectors of 32
@@ -50,18 +47,13 @@ class MotionPlayer {
   /// @param name the motion's name; empty means all motions
   void Stop(const protocol::MotionName& name);
 
-  /// Stops all motions.
   void StopAll(const EndReason& reason);
-
-  /// Stops the motion that moves this joint, if there is one.
   void StopMotionOf(int joint, const EndReason& reason);
 
   /// Makes every motion end after its current repetition.
   void EndRepetitions();
 
   bool IsPlaying() const;
-
-  /// True if a motion that is being played moves this joint.
   bool Moves(int joint) const { return FindMoving(joint) < MAX_PLAYING; }
 
   /// True if the motion that Play() began last moves this joint.

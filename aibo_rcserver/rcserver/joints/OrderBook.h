@@ -41,7 +41,6 @@ class OrderBook {
   /// request must be carried out only if no end waits. Without a client of version 2, the oldest end is forgotten.
   static const unsigned MAX_ENDS = MAX_LIVE + 1;
 
-  /// Room for the text of an EndReason.
   static const int MAX_TEXT_SIZE = 160;
 
   struct OrderEnd {
@@ -80,10 +79,7 @@ class OrderBook {
   /// let go before the robot walks.
   void ClientGone();
 
-  /// From now on, the client must let go before the robot walks.
   void DemandLettingGo(const EndReason& why);
-
-  /// Call this when the client has let go.
   void LetGo() { must_let_go_ = false; }
 
   /// Why the client must let go before the robot walks; NULL if it need not.

@@ -51,12 +51,9 @@ class PlayedMotion {
   /// @param now see NextFrame()
   unsigned Elapsed(unsigned now) const { return now - begun_; }
 
-  /// Makes the current repetition the last one.
   void EndRepetitions() { repetitions_left_ = 1; }
 
   bool IsPlaying() const { return phase_ != OVER; }
-
-  /// The order that was given to Start().
   int Order() const { return order_; }
   const char* Name() const { return name_; }
   bool Moves(int joint) const { return fitted_.moves(joint); }

@@ -16,7 +16,6 @@ class CameraRequests {
   void SetCamera();      ///< `G`
   void SendDatagrams();  ///< `B`
 
-  /// The JPEG quality that a request asks for by its id.
   static unsigned char JpegQuality(unsigned char id);
 
  private:

@@ -47,13 +47,9 @@ class Exchange {
     FinishReply(encode(content, Payload()));
   }
   void ReplyWithoutPayload() { FinishReply(0); }
-
-  /// Answers with the payload in Payload().
   void FinishReply(size_t payload_size);
 
   void Refuse(unsigned short code, const char* text);
-
-  /// Refuses a request about a part that the robot does not have.
   void RefuseMissing(const char* part, int identifier);
 
   /// Refuses a request that has waited, while another one is being handled.
@@ -67,12 +63,9 @@ class Exchange {
     Send(kind, 0, content);
   }
 
-  /// Pushes a message of a frame header alone.
   void PushWithoutPayload(char kind) { Send(kind, 0, message_, 0); }
   void PushError(unsigned short code, const char* text) { SendError(0, code, text); }
   void PushEnd(unsigned char what, unsigned char how, unsigned short order, const char* name, const char* reason);
-
-  /// Pushes the ends of orders.
   void PushEnds();
 
   /// The place for the payload of a large message, with room for the largest one in the outbox.

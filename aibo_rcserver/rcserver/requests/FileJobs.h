@@ -13,8 +13,6 @@
 class FileJobs {
  public:
   virtual ~FileJobs() {}
-
-  /// Returns false if FileKeeper does not run.
   virtual bool IsThere() const = 0;
 
   /// Begins a job. If FileKeeper is still working for an earlier client, the job waits. A client may have only one job
@@ -45,7 +43,6 @@ class FileDesk : public FileJobs {
   /// False while FileKeeper has something to do.
   bool IsFree() const { return !has_job_ && jobs_.IsFree(); }
 
-  /// Call this when FileKeeper is ready for a job.
   void SendJob() {
     if (has_job_ && jobs_.IsFree()) {
       has_job_ = false;

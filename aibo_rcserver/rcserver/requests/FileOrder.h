@@ -21,8 +21,6 @@ class FileOrder {
     REFUSED,      ///< any other failure, such as a full memory stick
     FILE_MISSING  ///< there is no such file, or it cannot be read
   };
-
-  /// Room for the text of Problem().
   static const size_t MAX_PROBLEM_SIZE = 256;
 
   FileOrder(FileJobs& jobs, JointControl& joints, const MotorSwitch& motors);
@@ -33,7 +31,6 @@ class FileOrder {
   /// Why the last request was REFUSED or FILE_MISSING, in words that a user can act on.
   const char* Problem() const { return problem_; }
 
-  /// True while a request is PENDING.
   bool IsPending() const { return is_prepared_ || ticket_ != 0; }
 
   /// Begins to play a motion. The request is PENDING until the motion's file has been read. Commands that its joints
@@ -51,7 +48,6 @@ class FileOrder {
   /// @return PENDING, or REFUSED if FileKeeper does not run
   Outcome Prepare();
 
-  /// True from Prepare() to Post().
   bool IsPrepared() const { return is_prepared_; }
 
   /// Makes FileKeeper do a job. The parameters are those of FileJobs::Post().
@@ -59,7 +55,6 @@ class FileOrder {
   Outcome Post(FileJob::Operation operation, FileKind kind, const protocol::FileName& name,
                const unsigned char* content = NULL, size_t size = 0);
 
-  /// The file's name in the job that was posted last.
   const protocol::FileName& Name() const { return name_; }
 
   /// True if this is the result that the pending request waits for.

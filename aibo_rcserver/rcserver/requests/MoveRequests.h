@@ -25,7 +25,6 @@ class MoveRequests {
   /// Pushes faults, recoveries, ends of orders and a fall. If the outbox has no room, the rest is pushed the next time.
   void PushReports();
 
-  /// Pushes the state of the motors and the posture if they have changed.
   void PushMotorsAndPosture();
 
  private:

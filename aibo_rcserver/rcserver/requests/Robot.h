@@ -20,7 +20,6 @@ enum PowerOrder {
   POWER_LIE_DOWN  ///< lie down, then shut down
 };
 
-/// The parts of the robot that requests use.
 struct Robot {
   const char* design;  ///< name of the design in OPEN-R
   JointControl& joints;

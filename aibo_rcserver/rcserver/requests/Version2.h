@@ -26,7 +26,6 @@ class Version2 {
   /// @param now the present OPEN-R frame
   void Handle(const protocol::version2::FrameHeader& request, const unsigned char* payload, unsigned now);
 
-  /// Answers a request whose payload is larger than MAX_PAYLOAD_TOWARDS_ROBOT.
   void RefuseTooLarge(const protocol::version2::FrameHeader& request);
 
   /// Tells the client why the robot goes off, if there is room in the outbox.
@@ -51,7 +50,6 @@ class Version2 {
   Version2(const Version2&);
   Version2& operator=(const Version2&);
 
-  /// A request that this server knows.
   struct Row {
     const protocol::version2::Request* request;
     void (Version2::*carry_out)();

@@ -6,13 +6,11 @@
 /// A list of IPv4 addresses as numbers: 127.0.0.1 is 0x7f000001. Its memory has a fixed size.
 class AllowedAddresses {
  public:
-  /// Most entries in a list.
   static const int MAX_RANGES = 32;
 
   /// At first, the list allows any address.
   AllowedAddresses() : is_any_(true), number_of_ranges_(0) {}
 
-  /// Allows only 127.0.0.1.
   void AllowOnlyThisComputer();
 
   /// Reads a list as in RCSERVER.CFG: "ANY", or addresses separated by commas, each a.b.c.d or a.b.c.d/n. The latter

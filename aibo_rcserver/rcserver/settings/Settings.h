@@ -7,7 +7,6 @@
 #include "objects/HostSettings.h"
 #include "rcserver/settings/AllowedAddresses.h"
 
-/// The folder of the settings file on the memory stick.
 const char SETTINGS_FOLDER[] = "OPEN-R/MW/CONF";
 const char SETTINGS_FILE[] = "OPEN-R/MW/CONF/RCSERVER.CFG";
 
@@ -55,7 +54,6 @@ struct Settings {
   char fault[MAX_SETTINGS_FAULT_SIZE + 1];
 };
 
-/// Receives the problems in the file, line by line.
 class SettingsProblems {
  public:
   virtual ~SettingsProblems() {}

@@ -24,7 +24,6 @@ class FallWatch {
   /// How many paws touch the floor at once when the robot stands well.
   static const int STANDING_PAWS = 3;
 
-  /// The measurements of one frame.
   struct Reading {
     double forward;                          ///< acceleration in m/s^2, positive if the nose points up
     double left;                             ///< positive if the left side points up

@@ -4,7 +4,6 @@
 #include "protocol/walk_requests.h"
 #include "robot_model/legs.h"
 
-/// The numbers of a step.
 struct StepParameters {
   double period;  ///< s; in this time, each foot makes one step
 
@@ -45,7 +44,6 @@ struct LegWaves {
   double angles[robot_model::JOINTS_OF_A_LEG][1 + 2 * HARMONICS];
 };
 
-/// The numbers of the gait in waves.
 struct WaveParameters {
   double period;      ///< s
   double hind_ahead;  ///< share of the period by which a hind leg is ahead of the front leg on its side

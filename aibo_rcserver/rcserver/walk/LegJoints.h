@@ -16,7 +16,6 @@ class LegJoints {
   /// False if the robot does not have the legs of an ERS-7.
   bool AreThere() const { return are_there_; }
 
-  /// True if this is a joint of a leg.
   bool Has(int joint) const;
 
   /// The angles of the legs when the joints are at these positions.
@@ -34,7 +33,6 @@ class LegJoints {
   /// True if, as planned, all joints of the legs are where they were aimed at.
   bool HaveArrived() const;
 
-  /// Makes all joints of the legs brake and hold.
   void Hold() const;
 
   /// Sets the speed limits of all joints of the legs to the robot's own.

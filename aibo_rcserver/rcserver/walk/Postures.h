@@ -32,8 +32,6 @@ class Postures {
     PUSH_RIGHT,
     NUMBER_OF_STAGES
   };
-
-  /// The most stages on a route.
   static const int MAX_ROUTE = 5;
 
   /// @param gait the gait, whose posture at zero velocity is standing

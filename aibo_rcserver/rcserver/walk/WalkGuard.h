@@ -24,7 +24,6 @@ const double SPEED_CHANGE = 1;
 /// Lengths are in metres and angles in radians, in the frames of robot_model/legs.h. All numbers are our choice.
 class WalkGuard {
  public:
-  /// The measurements of one frame.
   struct Reading {
     double chest;  ///< distances in m; 0 if the sensor has not measured
     double near;
@@ -67,8 +66,6 @@ class WalkGuard {
 
     void TurnTo(double angle);
   };
-
-  /// The numbers of poses and edges that are remembered.
   static const int MOST_POSES = 48;
   static const int MOST_EDGES = 32;
 

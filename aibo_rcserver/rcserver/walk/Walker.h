@@ -51,7 +51,6 @@ class Walker {
   /// False if the robot's legs are not an ERS-7's. In that case, only functions that read the state may be called.
   bool CanWalk() const { return legs_.AreThere(); }
 
-  /// The numbers of the gait, with its limits.
   const GaitParameters& Parameters() const { return gait_.Parameters(); }
 
   /// An error text that tells the user why the robot cannot take this posture now; NULL if it can.
@@ -95,7 +94,6 @@ class Walker {
   /// continues, because a robot that stays half crouched with its motors on gets hot.
   void ClientGone();
 
-  /// True if this is a joint of a leg.
   bool Moves(int joint) const { return legs_.Has(joint); }
 
   /// True if the head has to be levelled for a posture, because the robot lies down to rest or gets up.
