@@ -52,10 +52,7 @@ class TemporaryFolder {
   }
 
   /// The content of a file.
-  std::string read(const std::string& name) const {
-    std::ifstream file(path(name), std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  }
+  std::string read(const std::string& name) const { return contentOf(path(name)); }
 
  private:
   std::filesystem::path path_;
