@@ -111,6 +111,15 @@ TEST_F(Ers7Urdf, HasItsTailBehindAndTurnsItFirstForwardThenToTheLeft) {
   expectPose("tail_pan_link", {{"tail_tilt", right_angle}, {"tail_pan", right_angle}}, {-102, 0, 33}, -up_, left_);
 }
 
+// The joints of the head are 80 up the neck, whose joint is at (67.5, 0, 19.5); the camera is 81.06 ahead of them and
+// 14.6 below.
+TEST_F(Ers7Urdf, LooksLeftIfItPansUpIfItTiltsAndDownIfItsNeckGoesDown) {
+  const double right_angle = 90 * kDegree;
+  expectPose("camera_link", {{"head_pan", right_angle}}, {67.5, 81.06, 99.5 - 14.6}, left_, up_);
+  expectPose("camera_link", {{"head_tilt", right_angle}}, {67.5 + 14.6, 0, 99.5 + 81.06}, up_, -forward_);
+  expectPose("camera_link", {{"neck_tilt", -right_angle}}, {67.5 + 80 - 14.6, 0, 19.5 - 81.06}, -up_, forward_);
+}
+
 TEST_F(Ers7Urdf, HasItsInfraredBeamsWhereTheRobotHasThem) {
   const double down = 30 * kDegree;
   expectPose("range_chest_link", {}, {109.136, 0, -3.384}, {std::cos(down), 0, -std::sin(down)},

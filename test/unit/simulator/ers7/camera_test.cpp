@@ -51,13 +51,10 @@ class TestPicture : public PictureSource {
   YCrCbImage image_;
 };
 
-OFbkImageVectorData* vectorIn(RCRegion* region) {
-  void* base = region->Base();
-  return static_cast<OFbkImageVectorData*>(base);
-}
-
 OFbkImage bandOf(RCRegion* region, OFbkImageLayer layer, OFbkImageBand band) {
-  return OFbkImage(vectorIn(region)->GetInfo(layer), vectorIn(region)->GetData(layer), band);
+  void* const base = region->Base();
+  auto* const vector = static_cast<OFbkImageVectorData*>(base);
+  return OFbkImage(vector->GetInfo(layer), vector->GetData(layer), band);
 }
 
 class CameraTest : public testing::Test {
