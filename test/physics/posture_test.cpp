@@ -87,15 +87,9 @@ TEST(RobotWithBentLegs, StandsUp) {
 
 class Fall : public ::testing::Test {
  protected:
-  void passSeconds(double seconds) {
-    for (double time = 0; time < seconds; time += 0.008) {
-      bench_.passFrame();
-    }
-  }
-
   void walk() {
     bench_.steer({0.08, 0, 0});
-    passSeconds(4);
+    pass(bench_, 4);
     ASSERT_EQ(bench_.step().state, version2::WALK_STATE_WALKS);
   }
 
@@ -115,7 +109,7 @@ TEST_F(Fall, EndsTheWalkAndLetsTheLegsGoSoft) {
   EXPECT_EQ(end.how, version2::END_FELL);
   EXPECT_THAT(end.reason, testing::HasSubstr("the robot lies on its"));
   EXPECT_TRUE(bench_.robot().motorsPull());
-  passSeconds(1.2);
+  pass(bench_, 1.2);
   EXPECT_FALSE(bench_.robot().motorsPull());
   EXPECT_EQ(bench_.step().state, version2::WALK_STATE_NONE);
 }
@@ -123,9 +117,9 @@ TEST_F(Fall, EndsTheWalkAndLetsTheLegsGoSoft) {
 TEST_F(Fall, IsNotSeenInAPushThatTheRobotWithstands) {
   walk();
   bench_.robot().push({0, 3, 0});
-  passSeconds(0.3);
+  pass(bench_, 0.3);
   bench_.robot().push({0, 0, 0});
-  passSeconds(3);
+  pass(bench_, 3);
   EXPECT_THAT(bench_.ends(), testing::IsEmpty());
   EXPECT_LT(bench_.robot().tilt(), 0.2);
 }

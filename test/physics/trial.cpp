@@ -182,12 +182,6 @@ class Recorder {
   std::vector<double> lifts_;
 };
 
-void pass(Bench& bench, double seconds) {
-  for (double time = 0; time < seconds; time += kFrame) {
-    bench.passFrame();
-  }
-}
-
 /// Orders a limp robot to stand.
 Rise standUp(Bench& bench) {
   PhysicalErs7& robot = bench.robot();
@@ -231,6 +225,12 @@ std::string percent(double part) {
 }
 
 }  // namespace
+
+void pass(Bench& bench, double seconds) {
+  for (double time = 0; time < seconds; time += kFrame) {
+    bench.passFrame();
+  }
+}
 
 Record walk(const World& world, const Commands& commands, double seconds) {
   Bench bench(world);

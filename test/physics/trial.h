@@ -41,6 +41,8 @@ struct Record {
 /// What the client wants at a time, in seconds since it began to steer.
 using Commands = std::function<Velocity(double)>;
 
+void pass(Bench& bench, double seconds);
+
 /// Lets the robot stand, steers it for this time, and measures it from a second and a half later on.
 Record walk(const World& world, const Commands& commands, double seconds);
 
