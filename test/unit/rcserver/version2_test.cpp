@@ -20,18 +20,6 @@ constexpr unsigned char kTailPanId = 51;
 constexpr unsigned kLongestCommand = 500;
 constexpr size_t kWalkValues = 5;  // in telemetry
 
-std::string pictureOf(Layer layer) {
-  return payloadOf(PictureRequest{layer});
-}
-
-std::string stream(bool on, Layer layer = LAYER_HIGH, unsigned short every_nth_image = 1) {
-  return payloadOf(StreamSettings{on, layer, every_nth_image});
-}
-
-std::string period(unsigned short frames) {
-  return payloadOf(TelemetryPeriod{frames});
-}
-
 class Version2Test : public Version2Fixture {
  protected:
   bool motorsAfter(const std::string& payload) {
@@ -98,7 +86,7 @@ TEST_F(Version2Test, HelloHasTheRobotTheTimeAndItsLimits) {
 }
 
 TEST_F(Version2Test, ClientSilentForFiveSecondsIsDroppedAndItsJointsHold) {
-  answerTo('T', 0, period(4));  // a client that only reads is silent
+  answerTo('T', 0, payloadOf(TelemetryPeriod{4}));  // a client that only reads is silent
   for (int second = 0; second < 20; ++second) {
     hello();
     passFrames(125);
@@ -148,7 +136,7 @@ TEST_F(Version2Test, CameraSettingThatTheCameraRefusesIsToldAndNotInForce) {
 }
 
 TEST_F(Version2Test, PicturesTellTheCamerasSettings) {
-  answerTo('W', 85, stream(true));
+  answerTo('W', 85, kStreamOn);
   takeImage();
   EXPECT_THAT(nextPicture().image.settings.values, ElementsAre(3, 2, 2, 0, 0));
   answerTo('G', SETTING_SHUTTER_SPEED, "\x03");
@@ -157,8 +145,8 @@ TEST_F(Version2Test, PicturesTellTheCamerasSettings) {
 }
 
 TEST_F(Version2Test, EachPictureRequestGetsItsOwnPictureEvenDuringAStream) {
-  answerTo('W', 80, stream(true));
-  send(frame('F', 20, 1001, pictureOf(LAYER_HIGH)) + frame('F', 30, 1002, pictureOf(LAYER_HIGH)));
+  answerTo('W', 80, kStreamOn);
+  send(frame('F', 20, 1001, kLayerHigh) + frame('F', 30, 1002, kLayerHigh));
   const std::vector<std::pair<int, int>> expected = {{1001, 20}, {1002, 30}, {0, 80}, {0, 80}};
   for (const auto& [number, quality] : expected) {
     takeImage();
@@ -179,7 +167,7 @@ TEST_F(Version2Test, PicturesOfAllLayersHaveTheirSizes) {
   const std::tuple<Layer, int, int> rows[] = {
       {LAYER_HIGH, 208, 160}, {LAYER_MIDDLE, 104, 80}, {LAYER_LOW, 52, 40}, {LAYER_DOUBLE, 416, 320}};
   for (const auto& [layer, width, height] : rows) {
-    send(frame('F', 85, 5, pictureOf(layer)));
+    send(frame('F', 85, 5, payloadOf(PictureRequest{layer})));
     takeImage();
     const Picture picture = nextPicture();
     const Decoded shown = decodeJpeg(picture.jpeg);
@@ -193,14 +181,14 @@ TEST_F(Version2Test, PicturesOfAllLayersHaveTheirSizes) {
 }
 
 TEST_F(Version2Test, StreamHasEveryNthImageFromTheAnswerOn) {
-  answerTo('W', 85, stream(true, LAYER_HIGH, 3));
+  answerTo('W', 85, payloadOf(StreamSettings{true, LAYER_HIGH, 3}));
   takeImage();
   const unsigned first = nextPicture().image.image_count;
   for (int i = 1; i < 3; ++i) {
     passFrames(3 * FakeRobot::kFramesPerImage);
     EXPECT_EQ(nextPicture().image.image_count, first + 3 * i);
   }
-  answerTo('W', 85, stream(false));
+  answerTo('W', 85, kStreamOff);
   passFrames(3 * FakeRobot::kFramesPerImage);
   EXPECT_FALSE(client_->nextFrame());
 }
@@ -209,7 +197,7 @@ TEST_F(Version2Test, PictureThatIsTooLargeForAFrameHasALowerQuality) {
   robot_.detail = {128, 128, 128};
   robot_.showNoise();
   takeImage();
-  send(frame('F', 100, 5, pictureOf(LAYER_DOUBLE)));
+  send(frame('F', 100, 5, payloadOf(PictureRequest{LAYER_DOUBLE})));
   takeImage();
   const Picture picture = nextPicture();
   EXPECT_EQ(picture.image.quality, 25);
@@ -230,8 +218,8 @@ TEST_F(Version2Test, SpeedLimitsOfAllJointsAreRead) {
 }
 
 TEST_F(Version2Test, TelemetryComesAtItsPeriodWithAllJoints) {
-  for (const unsigned frames : {4U, 12U}) {
-    answerTo('T', 0, period(static_cast<unsigned short>(frames)));
+  for (const std::uint16_t frames : {std::uint16_t{4}, std::uint16_t{12}}) {
+    answerTo('T', 0, payloadOf(TelemetryPeriod{frames}));
     passFrames(120);
     const std::vector<Telemetry> all = telemetry();
     EXPECT_EQ(all.size(), 120 / frames);
@@ -246,14 +234,14 @@ TEST_F(Version2Test, TelemetryComesAtItsPeriodWithAllJoints) {
       EXPECT_EQ(all.back().entries[i].value, FakeRobot::measured(robot_.joints[i]));
     }
   }
-  answerTo('T', 0, period(0));
+  answerTo('T', 0, payloadOf(TelemetryPeriod{0}));
   passFrames(100);
   EXPECT_TRUE(telemetry().empty());
 }
 
 TEST_F(Version2Test, TelemetryHasTheDutyOfAllJointsIfItIsAskedFor) {
   FakeRobot::FakeJoint& pan = robot_.joint("head_pan");
-  answerTo('T', TELEMETRY_WITH_DUTY, period(4));
+  answerTo('T', TELEMETRY_WITH_DUTY, payloadOf(TelemetryPeriod{4}));
   passFrames(4);
   const size_t others = 18 + static_cast<size_t>(robot_.model.number_of_sensors);
   Telemetry measured = telemetry().back();
@@ -270,7 +258,7 @@ TEST_F(Version2Test, TelemetryHasTheDutyOfAllJointsIfItIsAskedFor) {
 
 TEST_F(Version2Test, ClientThatReadsLateGetsOnlyTheNewestTelemetry) {
   connectBehindAPicture();
-  send(frame('T', 0, 1, period(4)));
+  send(frame('T', 0, 1, payloadOf(TelemetryPeriod{4})));
   passFrames(80);
   EXPECT_NEAR(payloadIn<Telemetry>(nextPush(TELEMETRY_PUSH)).frame_number, clock_.frame(), 4);
   EXPECT_THAT(telemetry(), IsEmpty());

@@ -44,14 +44,6 @@ class GaitTest : public ::testing::Test {
             in_body.z * cosine - in_body.x * sine + step.height - robot_model::FOOT_RADIUS};
   }
 
-  // Where a foot on the floor is on average, seen from the floor.
-  static Point middleOf(Leg leg, const StepParameters& step) {
-    Point middle = findShoulder(leg);
-    middle.x += isFront(leg) ? step.front_ahead : step.hind_ahead;
-    middle.y += (isLeft(leg) ? 1 : -1) * (isFront(leg) ? step.front_outward : step.hind_outward);
-    return middle;
-  }
-
   // Velocities all around the limits, where they are farthest from 0, and within them.
   std::vector<Velocity> allowed() const {
     std::vector<Velocity> velocities;
@@ -74,13 +66,15 @@ TEST_F(GaitTest, MovesFeetOnTheFloorWithTheFloor) {
   const StepParameters step = gait_.StepAt(velocity);
   const double phase_of_frame = kFrame / step.period;
   for (const Leg leg : kLegs) {
+    Point middle = findShoulder(leg);  // where the foot is on average, seen from the floor
+    middle.x += isFront(leg) ? step.front_ahead : step.hind_ahead;
+    middle.y += (isLeft(leg) ? 1 : -1) * (isFront(leg) ? step.front_outward : step.hind_outward);
     for (double phase = 0; phase < 1; phase += 0.01) {
       if (!Gait::IsOnFloor(step, leg, phase) || !Gait::IsOnFloor(step, leg, std::fmod(phase + phase_of_frame, 1))) {
         continue;
       }
       const Point here = foot(leg, phase, velocity);
       const Point next = foot(leg, phase + phase_of_frame, velocity);
-      const Point middle = middleOf(leg, step);
       EXPECT_NEAR((next.x - here.x) / kFrame, -velocity.forward + velocity.turn * middle.y, 1e-6);
       EXPECT_NEAR((next.y - here.y) / kFrame, -velocity.left - velocity.turn * middle.x, 1e-6);
       EXPECT_NEAR(here.z, 0, 1e-9);
