@@ -157,7 +157,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       led_states_(handle_, "led_states"),
       client_(parameters_.client, makeCallbacks()),
       player_(client_),
-      adapter_(client_),
+      adapter_(client_, logForClient),
       link_quality_(handle_.advertise<LinkQuality>("link_quality", 1)),
       settings_(onQueueOf(handle_, private_handle), client_, adapter_, joint_table_),
       color_tables_(model_, client_,

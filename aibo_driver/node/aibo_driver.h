@@ -17,6 +17,7 @@
 
 #include "aibo_client/rcserver_client.h"
 #include "camera/link_meter.h"
+#include "camera/stream_adapter.h"
 #include "camera/stream_policy.h"
 #include "movement/joint_table.h"
 #include "movement/measured_joints.h"
@@ -32,7 +33,6 @@
 #include "node/camera/color_publisher.h"
 #include "node/camera/color_table_service.h"
 #include "node/camera/raw_image_publisher.h"
-#include "node/camera/stream_adapter.h"
 #include "node/driver_diagnostics.h"
 #include "node/driver_parameters.h"
 #include "node/joints/joint_commander.h"
@@ -149,7 +149,7 @@ class AiboDriver {
   sound::Player player_;  ///< plays nothing before the client runs
 
   // These members need the client.
-  StreamAdapter adapter_;
+  camera::StreamAdapter adapter_;
   ros::Publisher link_quality_;
   LiveSettings settings_;
   ColorTableService color_tables_;

@@ -11,11 +11,11 @@
 
 #include "aibo_client/rcserver_client.h"
 #include "camera/link_meter.h"
+#include "camera/stream_adapter.h"
 #include "camera/stream_policy.h"
 #include "movement/mover.h"
 #include "node/body/power_status.h"
 #include "node/camera/raw_image_publisher.h"
-#include "node/camera/stream_adapter.h"
 #include "node/driver_parameters.h"
 #include "node/live_settings.h"
 #include "node/sound/microphone_publisher.h"
@@ -39,7 +39,7 @@ class DriverDiagnostics {
     const DriverParameters& parameters;
     const aibo_client::RcServerClient& client;
     const camera::StreamPolicy& policy;
-    const StreamAdapter& adapter;
+    const camera::StreamAdapter& adapter;
     const RawImagePublisher& raw_images;
     const LiveSettings& settings;
     robot_time::RobotClock& robot_clock;

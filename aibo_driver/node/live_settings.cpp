@@ -30,7 +30,7 @@ void visitNumbers(const Visit& visit) {
 }  // namespace
 
 LiveSettings::LiveSettings(const ros::NodeHandle& private_handle, aibo_client::RcServerClient& client,
-                           StreamAdapter& adapter, movement::JointTable& joint_table)
+                           camera::StreamAdapter& adapter, movement::JointTable& joint_table)
     : client_(client),
       adapter_(adapter),
       joint_table_(joint_table),
@@ -83,7 +83,7 @@ void LiveSettings::applyToCamera(AiboDriverConfig& config) {
                    camera::kResolutionNames + ": it stays at " + in_force_.resolution + ".");
     config.resolution = in_force_.resolution;
   }
-  StreamAdapter::Wish stream;
+  camera::StreamAdapter::Wish stream;
   stream.jpeg_quality = config.jpeg_quality;
   stream.format.resolution = *camera::resolutionOf(config.resolution);
   stream.format.every_nth_image = camera::everyNthImageOf(config.frame_rate);

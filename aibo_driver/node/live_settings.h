@@ -9,8 +9,8 @@
 #include <atomic>
 
 #include "aibo_client/rcserver_client.h"
+#include "camera/stream_adapter.h"
 #include "movement/joint_table.h"
-#include "node/camera/stream_adapter.h"
 #include "text/throttled_warnings.h"
 
 namespace aibo_driver::node {
@@ -22,8 +22,8 @@ class LiveSettings {
  public:
   /// Applies the settings at once, and again from private_handle's callback queue whenever they change.
   /// @param client, adapter, joint_table must outlive the object
-  LiveSettings(const ros::NodeHandle& private_handle, aibo_client::RcServerClient& client, StreamAdapter& adapter,
-               movement::JointTable& joint_table);
+  LiveSettings(const ros::NodeHandle& private_handle, aibo_client::RcServerClient& client,
+               camera::StreamAdapter& adapter, movement::JointTable& joint_table);
 
   /// The period of joint_states and the sensors, in OPEN-R frames; 0 means none. Any thread may call it.
   int telemetryPeriod() const { return telemetry_period_; }
@@ -33,7 +33,7 @@ class LiveSettings {
   void applyToCamera(AiboDriverConfig& config);
 
   aibo_client::RcServerClient& client_;
-  StreamAdapter& adapter_;
+  camera::StreamAdapter& adapter_;
   movement::JointTable& joint_table_;
   std::atomic<int> telemetry_period_{0};
   text::ThrottledWarnings warnings_;

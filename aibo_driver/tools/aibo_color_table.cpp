@@ -7,9 +7,9 @@
 #include <string>
 
 #include "aibo_client/exceptions.h"
+#include "camera/color_table_file.h"
 #include "camera/jpeg_decoder.h"
 #include "files/files.h"
-#include "node/camera/color_table_file.h"
 #include "text/sentence.h"
 #include "tools/color_table_maker.h"
 
@@ -53,8 +53,8 @@ void makeTable(const options::variables_map& values) {
   const auto coverage = aibo_driver::color_table::coverageOf(table, picture, region);
   std::fprintf(stderr, "The table contains %.1f %% of the region and %.1f %% of the rest of the picture.\n",
                100 * coverage.inside, 100 * coverage.outside);
-  const std::string yaml = aibo_driver::node::toYaml(table);
-  aibo_driver::node::parseColorTable(yaml, "the table");  // refuses a name with which the table could not be loaded
+  const std::string yaml = aibo_driver::camera::toYaml(table);
+  aibo_driver::camera::parseColorTable(yaml, "the table");  // refuses a name with which the table could not be loaded
   if (values.count("output") == 0) {
     std::cout << yaml;
     return;

@@ -64,7 +64,7 @@ sensor_msgs::Image toMask(const aibo_client::DetectedColors& colors, const Chann
   image.data.resize(3 * colors.mask.size());
   for (std::size_t i = 0; i < colors.mask.size(); ++i) {
     if (colors.mask[i] != 0) {
-      const RgbColor& color = channels.at(lowestChannel(colors.mask[i]));
+      const camera::RgbColor& color = channels.at(lowestChannel(colors.mask[i]));
       image.data[3 * i] = color.red;
       image.data[3 * i + 1] = color.green;
       image.data[3 * i + 2] = color.blue;

@@ -10,7 +10,7 @@
 #include <array>
 
 #include "aibo_client/colors.h"
-#include "node/camera/color_table_file.h"
+#include "camera/color_table_file.h"
 
 namespace aibo_driver::node {
 
@@ -18,7 +18,7 @@ namespace aibo_driver::node {
 ColorRegions toRegions(const aibo_client::DetectedColors& colors, const std_msgs::Header& header);
 
 /// The colour of each channel; the index is the channel.
-using ChannelColors = std::array<RgbColor, aibo_client::kMostColorChannels>;
+using ChannelColors = std::array<camera::RgbColor, aibo_client::kMostColorChannels>;
 
 /// The mask as an rgb8 image of the plane's size. A pixel where nothing was detected is black. Any other pixel has the
 /// colour of its lowest channel.

@@ -5,7 +5,7 @@
 namespace aibo_driver::node {
 namespace {
 
-constexpr RgbColor kWhite = {255, 255, 255};
+constexpr camera::RgbColor kWhite = {255, 255, 255};
 constexpr std::uint32_t kColorQueueSize = 5;  // the same size as for pictures
 
 }  // namespace
@@ -28,7 +28,7 @@ ColorPublisher::ColorPublisher(const ros::NodeHandle& handle, const DriverParame
 
 void ColorPublisher::setTable(int channel, const aibo_client::ColorTablePtr& table) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  channel_colors_.at(static_cast<std::size_t>(channel)) = table ? colorOf(*table) : kWhite;
+  channel_colors_.at(static_cast<std::size_t>(channel)) = table ? camera::colorOf(*table) : kWhite;
 }
 
 void ColorPublisher::publish(const aibo_client::DetectedColors& colors) {

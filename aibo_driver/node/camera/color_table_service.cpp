@@ -1,13 +1,13 @@
 #include "node/camera/color_table_service.h"
 
-#include <ros/console.h>
+#include <ros/package.h>
 
 #include <algorithm>
 #include <memory>
 #include <sstream>
 #include <utility>
 
-#include "node/camera/color_table_file.h"
+#include "camera/color_table_file.h"
 #include "node/service.h"
 #include "text/plain_text.h"
 
@@ -15,6 +15,15 @@ namespace aibo_driver::node {
 
 using aibo_client::ColorTable;
 using aibo_client::ColorTablePtr;
+
+namespace {
+
+ColorTablePtr tableIn(const std::string& file) {
+  return std::make_shared<ColorTable>(
+      camera::loadColorTable(file, ros::package::getPath("aibo_driver") + "/config/colors"));
+}
+
+}  // namespace
 
 ColorTableService::ColorTableService(const robot_model::RobotModel& model, aibo_client::RcServerClient& client,
                                      std::function<void(int channel, const ColorTablePtr& table)> loaded)
@@ -27,7 +36,7 @@ void ColorTableService::loadAtStart(const std::string& tables) {
   int channel = 0;
   for (std::string name; words >> name; ++channel) {
     try {
-      setTable(channel, std::make_shared<ColorTable>(loadColorTable(name)));
+      setTable(channel, tableIn(name));
     } catch (const aibo_client::Exception& error) {
       throw aibo_client::InvalidArgumentException("Parameter color_tables names the table '" + text::plainLine(name) +
                                                   "', which cannot be loaded: " + text::plainLine(error.what(), 500));
@@ -42,13 +51,13 @@ Services ColorTableService::services() {
 
 std::string ColorTableService::load(const LoadColorTable::Request& request) {
   if (!request.file.empty() && !request.table.empty()) {
-    throw ColorTableException("file and table are both given; leave one of them empty.");
+    throw camera::ColorTableException("file and table are both given; leave one of them empty.");
   }
   ColorTablePtr table;
   if (!request.file.empty()) {
-    table = std::make_shared<ColorTable>(loadColorTable(request.file));
+    table = tableIn(request.file);
   } else if (!request.table.empty()) {
-    table = std::make_shared<ColorTable>(parseColorTable(request.table, "table"));
+    table = std::make_shared<ColorTable>(camera::parseColorTable(request.table, "table"));
   }
   const std::string done = setTable(request.channel, table);
   const aibo_client::ConnectionStatus status = client_.status();
@@ -56,7 +65,8 @@ std::string ColorTableService::load(const LoadColorTable::Request& request) {
     return done + ". There is no connection now; the robot gets it with the next one.";
   }
   if (!status.robot.hasCapability("Z")) {
-    throw ColorTableException("the robot's server detects no colours. It needs a newer RCServer; the table is kept.");
+    throw camera::ColorTableException(
+        "the robot's server detects no colours. It needs a newer RCServer; the table is kept.");
   }
   return done + ". The robot gets it while color_regions or color_mask has a subscriber.";
 }
@@ -64,8 +74,9 @@ std::string ColorTableService::load(const LoadColorTable::Request& request) {
 /// @return what the channel detects now
 std::string ColorTableService::setTable(int channel, const ColorTablePtr& table) {
   if (channel >= model_.number_of_color_channels) {
-    throw ColorTableException("there is no channel " + std::to_string(channel) + ": an " + model_.design +
-                              " has the channels 0 to " + std::to_string(model_.number_of_color_channels - 1) + ".");
+    throw camera::ColorTableException("there is no channel " + std::to_string(channel) + ": an " + model_.design +
+                                      " has the channels 0 to " + std::to_string(model_.number_of_color_channels - 1) +
+                                      ".");
   }
   client_.setColorTable(channel, table);
   loaded_(channel, table);

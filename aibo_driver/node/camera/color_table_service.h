@@ -23,7 +23,7 @@ class ColorTableService {
 
   /// Loads tables for the channels 0, 1 and so on. If a table cannot be loaded, its channel stays empty, and the reason
   /// is logged.
-  /// @param tables files or names for loadColorTable(), separated by blanks or commas
+  /// @param tables files or names for camera::loadColorTable(), separated by blanks or commas
   void loadAtStart(const std::string& tables);
 
   /// The service load_color_table. This object must outlive it.

@@ -1,8 +1,9 @@
 // Tables of the colour detection: files, the service, and what is published of the colours detected.
 #include <gmock/gmock.h>
+#include <ros/package.h>
 
+#include "camera/color_table_file.h"
 #include "node/camera/color_messages.h"
-#include "node/camera/color_table_file.h"
 #include "node/camera/color_table_service.h"
 #include "support/fake_client.h"
 #include "support/refusal.h"
@@ -15,6 +16,12 @@ namespace {
 using aibo_client::ColorRange;
 using aibo_client::ColorTable;
 using aibo_client::ConnectionState;
+using camera::colorOf;
+using camera::ColorTableException;
+using camera::loadColorTable;
+using camera::parseColorTable;
+using camera::RgbColor;
+using camera::toYaml;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Pair;
@@ -110,10 +117,11 @@ TEST(ColorTableFile, PutsOnlyPlainAndShortTextIntoTopicsAndMessages) {
               HasSubstr("cr is something else;"));
 }
 
-TEST(ColorTableFile, OfThisPackageIsFoundByItsName) {
-  EXPECT_EQ(loadColorTable("pink_ball").segments[31], (ColorRange{160, 230, 120, 190}));
-  EXPECT_THROW(loadColorTable("no_such_table"), ColorTableException);
-  EXPECT_THAT(test_support::refusalOf<ColorTableException>([&] { loadColorTable("no_such.yaml"); }),
+TEST(ColorTableFile, OfAFolderIsFoundByItsName) {
+  const std::string folder = ros::package::getPath("aibo_driver") + "/config/colors";
+  EXPECT_EQ(loadColorTable("pink_ball", folder).segments[31], (ColorRange{160, 230, 120, 190}));
+  EXPECT_THROW(loadColorTable("no_such_table", folder), ColorTableException);
+  EXPECT_THAT(test_support::refusalOf<ColorTableException>([&] { loadColorTable("no_such.yaml", folder); }),
               HasSubstr("'no_such.yaml'"))
       << "a file in the working directory";
 }

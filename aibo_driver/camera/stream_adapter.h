@@ -1,6 +1,6 @@
 /// @file stream_adapter.h
-#ifndef AIBO_DRIVER_NODE_CAMERA_STREAM_ADAPTER_H
-#define AIBO_DRIVER_NODE_CAMERA_STREAM_ADAPTER_H
+#ifndef AIBO_DRIVER_CAMERA_STREAM_ADAPTER_H
+#define AIBO_DRIVER_CAMERA_STREAM_ADAPTER_H
 
 #include <chrono>
 #include <mutex>
@@ -11,7 +11,7 @@
 #include "camera/adaptive_stream.h"
 #include "text/throttled_warnings.h"
 
-namespace aibo_driver::node {
+namespace aibo_driver::camera {
 
 /// Asks the robot for the quality and rate that the user wants. With ~adaptive, it lowers both as far as the link
 /// requires (AdaptiveStream). Any thread may call any function.
@@ -32,7 +32,7 @@ class StreamAdapter {
   };
 
   /// @param client must outlive the adapter
-  explicit StreamAdapter(aibo_client::RcServerClient& client);
+  StreamAdapter(aibo_client::RcServerClient& client, aibo_client::LogSink log);
 
   /// Changes what the user wants, which takes effect at once. An unchanged wish does nothing.
   void setWish(const Wish& wish);
@@ -49,17 +49,18 @@ class StreamAdapter {
   std::string describe() const;
 
  private:
-  void ask(const camera::AdaptiveStream::Step& step);
+  void ask(const AdaptiveStream::Step& step);
   std::string describeStep() const;
 
   aibo_client::RcServerClient& client_;
   mutable std::mutex mutex_;  // guards all members below
   std::optional<Wish> wish_;
-  std::optional<camera::AdaptiveStream> stream_;  ///< empty unless the stream is adaptive
+  std::optional<AdaptiveStream> stream_;  ///< empty unless the stream is adaptive
   bool has_said_why_not_ = false;
-  text::ThrottledWarnings log_;
+  const aibo_client::LogSink log_;
+  text::ThrottledWarnings changes_{[this](const std::string& text) { log_(aibo_client::LogLevel::kInfo, text); }};
 };
 
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::camera
 
-#endif  // AIBO_DRIVER_NODE_CAMERA_STREAM_ADAPTER_H
+#endif  // AIBO_DRIVER_CAMERA_STREAM_ADAPTER_H

@@ -1,17 +1,18 @@
-#include "node/camera/color_table_file.h"
+#include "camera/color_table_file.h"
 
-#include <ros/package.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <sstream>
 #include <vector>
 
 #include "files/files.h"
 #include "protocol/text.h"
 
-namespace aibo_driver::node {
+namespace aibo_driver::camera {
 
 using aibo_client::ColorRange;
 using aibo_client::ColorTable;
@@ -106,10 +107,10 @@ ColorTable parseColorTable(const std::string& text, const std::string& source) {
   return table;
 }
 
-ColorTable loadColorTable(const std::string& file) {
+ColorTable loadColorTable(const std::string& file, const std::string& folder) {
   std::string path = file;
   if (file.find('/') == std::string::npos && file.find(".yaml") == std::string::npos) {
-    path = ros::package::getPath("aibo_driver") + "/config/colors/" + file + ".yaml";
+    path.insert(0, folder + "/").append(".yaml");
   }
   try {
     const std::vector<std::uint8_t> content = files::loadFile(path, kLongestFile);
@@ -157,4 +158,4 @@ RgbColor colorOf(const ColorTable& table) {
           toByte(kBrightness + 1.772 * cb)};
 }
 
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::camera

@@ -1,11 +1,10 @@
-#include "node/camera/stream_adapter.h"
+#include "camera/stream_adapter.h"
 
 #include <gmock/gmock.h>
 
 #include "support/fake_client.h"
-#include "support/ros/log_listener.h"
 
-namespace aibo_driver::node {
+namespace aibo_driver::camera {
 namespace {
 
 using namespace std::chrono_literals;
@@ -33,7 +32,8 @@ class StreamAdapterTest : public ::testing::Test {
   }
 
   test_support::FakeClient client_;
-  StreamAdapter adapter_{client_};
+  std::vector<std::string> texts_;
+  StreamAdapter adapter_{client_, [this](auto, const std::string& text) { texts_.push_back(text); }};
   StreamAdapter::SteadyTime now_{1000s};
 };
 
@@ -46,7 +46,6 @@ TEST_F(StreamAdapterTest, WithoutAdaptiveTheStreamIsThatOfTheWish) {
 }
 
 TEST_F(StreamAdapterTest, OldPicturesLowerTheStreamButNotTakePicture) {
-  const test_support::LogListener& listener = test_support::listenToLog();
   adapter_.setWish(wish(true));
   EXPECT_EQ(adapter_.describe(), "not lowered");
   EXPECT_EQ(adapter_.wishedQuality(), 80);
@@ -57,7 +56,7 @@ TEST_F(StreamAdapterTest, OldPicturesLowerTheStreamButNotTakePicture) {
   EXPECT_EQ(client_.told.back(), "format 3 15");
   EXPECT_EQ(adapter_.wishedQuality(), 80);
   EXPECT_EQ(adapter_.describe(), "lowered to quality 50 of 80 and 2.0 of 15.0 pictures/s");
-  EXPECT_THAT(listener.texts,
+  EXPECT_THAT(texts_,
               testing::Contains(HasSubstr("is 200 ms old, and at most 130 ms are allowed: the stream is lowered")));
   client_.told.clear();
   for (int i = 0; i < 300; ++i) {
@@ -82,7 +81,6 @@ TEST_F(StreamAdapterTest, OnlyAnotherWishBeginsAnew) {
 }
 
 TEST_F(StreamAdapterTest, PicturesOfUnknownAgeChangeNothingAndAreNamedOnceForEachWish) {
-  const test_support::LogListener& listener = test_support::listenToLog();
   for (const bool adaptive : {true, false, true}) {
     adapter_.setWish(wish(adaptive));
     for (int i = 0; i < 100; ++i) {
@@ -90,8 +88,8 @@ TEST_F(StreamAdapterTest, PicturesOfUnknownAgeChangeNothingAndAreNamedOnceForEac
     }
   }
   EXPECT_EQ(client_.told.size(), 6U);
-  EXPECT_THAT(listener.texts, ElementsAre(HasSubstr("adaptive has no effect"), HasSubstr("adaptive has no effect")));
+  EXPECT_THAT(texts_, ElementsAre(HasSubstr("adaptive has no effect"), HasSubstr("adaptive has no effect")));
 }
 
 }  // namespace
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::camera

@@ -1,15 +1,15 @@
-#include "node/camera/stream_adapter.h"
+#include "camera/stream_adapter.h"
 
-#include <ros/console.h>
+#include <utility>
 
 #include "camera/camera_options.h"
 #include "text/number.h"
 
-namespace aibo_driver::node {
+namespace aibo_driver::camera {
 namespace {
 
 std::string rateOf(int every_nth_image) {
-  return text::decimal(camera::frameRateOf(every_nth_image), 1);
+  return text::decimal(frameRateOf(every_nth_image), 1);
 }
 
 int inMilliseconds(double seconds) {
@@ -18,8 +18,8 @@ int inMilliseconds(double seconds) {
 
 }  // namespace
 
-StreamAdapter::StreamAdapter(aibo_client::RcServerClient& client)
-    : client_(client), log_([](const std::string& text) { ROS_INFO_STREAM(text); }) {}
+StreamAdapter::StreamAdapter(aibo_client::RcServerClient& client, aibo_client::LogSink log)
+    : client_(client), log_(std::move(log)) {}
 
 void StreamAdapter::setWish(const Wish& wish) {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -28,11 +28,11 @@ void StreamAdapter::setWish(const Wish& wish) {
   }
   wish_ = wish;
   has_said_why_not_ = false;
-  const camera::AdaptiveStream::Step best{wish.jpeg_quality, wish.format.every_nth_image};
+  const AdaptiveStream::Step best{wish.jpeg_quality, wish.format.every_nth_image};
   stream_.reset();
   if (wish.adaptive) {
     const std::chrono::duration<double> max_age(wish.max_picture_age);
-    stream_.emplace(best, std::chrono::duration_cast<camera::AdaptiveStream::Duration>(max_age));
+    stream_.emplace(best, std::chrono::duration_cast<AdaptiveStream::Duration>(max_age));
   }
   ask(best);
 }
@@ -44,9 +44,9 @@ void StreamAdapter::picturePublished(SteadyTime now, std::optional<SteadyTime> t
   }
   if (!taken) {
     if (!has_said_why_not_) {
-      ROS_WARN(
-          "adaptive has no effect: the age of the pictures is not known. It needs a robot that speaks version 2, and "
-          "use_robot_time.");
+      log_(aibo_client::LogLevel::kWarn,
+           "adaptive has no effect: the age of the pictures is not known. It needs a robot that speaks version 2, and "
+           "use_robot_time.");
       has_said_why_not_ = true;
     }
     return;
@@ -54,9 +54,9 @@ void StreamAdapter::picturePublished(SteadyTime now, std::optional<SteadyTime> t
   if (const auto step = stream_->pictureArrived(now, now - *taken)) {
     ask(*step);
     const double age = std::chrono::duration<double>(now - *taken).count();
-    log_.warn("Adaptive: the last picture is " + std::to_string(inMilliseconds(age)) + " ms old, and at most " +
-              std::to_string(inMilliseconds(wish_->max_picture_age)) + " ms are allowed: the stream is " +
-              describeStep() + ".");
+    changes_.warn("Adaptive: the last picture is " + std::to_string(inMilliseconds(age)) + " ms old, and at most " +
+                  std::to_string(inMilliseconds(wish_->max_picture_age)) + " ms are allowed: the stream is " +
+                  describeStep() + ".");
   }
 }
 
@@ -70,7 +70,7 @@ std::string StreamAdapter::describe() const {
   return stream_ ? describeStep() : "off";
 }
 
-void StreamAdapter::ask(const camera::AdaptiveStream::Step& step) {
+void StreamAdapter::ask(const AdaptiveStream::Step& step) {
   client_.setJpegQuality(step.jpeg_quality);
   client_.setStreamFormat({wish_->format.resolution, step.every_nth_image});
 }
@@ -79,9 +79,9 @@ std::string StreamAdapter::describeStep() const {
   if (!stream_->isLowered()) {
     return "not lowered";
   }
-  const camera::AdaptiveStream::Step& step = stream_->inForce();
+  const AdaptiveStream::Step& step = stream_->inForce();
   return "lowered to quality " + std::to_string(step.jpeg_quality) + " of " + std::to_string(wish_->jpeg_quality) +
          " and " + rateOf(step.every_nth_image) + " of " + rateOf(wish_->format.every_nth_image) + " pictures/s";
 }
 
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::camera
