@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "aibo_client/exceptions.h"
-#include "camera/camera_options.h"
 #include "node/parameter_value.h"
 #include "robot_model/robot_model.h"
 
@@ -24,7 +23,7 @@ class ParameterReader {
   ParameterReader(const XmlRpcValue& values, const std::string& name_prefix)
       : values_(values), name_prefix_(name_prefix) {}
 
-  void read(const std::string& name, int minimum, int maximum, int* out) {
+  void read(const std::string& name, const std::string& /*unit*/, int minimum, int maximum, int* out) {
     const std::string allowed = "a whole number, " + std::to_string(minimum) + ".." + std::to_string(maximum);
     take(name, allowed, [=](const XmlRpcValue& value) {
       const double number = numberIn(value);  // a number may be written as 85.0
@@ -34,7 +33,7 @@ class ParameterReader {
     });
   }
 
-  /// @param unit the unit in words to put after "a number of"
+  /// @param unit the unit in words to put after "a number of"; a whole number has none
   void read(const std::string& name, const std::string& unit, double minimum, double maximum, double* out) {
     std::ostringstream allowed;
     allowed << "a number of " << unit << ", " << minimum << ".." << maximum;
@@ -176,8 +175,11 @@ DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::str
   DriverParameters parameters;
   ParameterReader reader(values, name_prefix);
   reader.read("host", "the robot's name or address, without blanks", isWord, &parameters.client.host);
-  reader.read("port", 1, 65535, &parameters.client.port);
-  reader.read("jpeg_quality", 1, 100, &parameters.client.jpeg_quality);
+  reader.read("port", "", 1, 65535, &parameters.client.port);
+  visitLiveNumbers([&](const char* name, const char* unit, auto member, auto lowest, auto highest) {
+    reader.read(name, unit, lowest, highest, &(parameters.live.*member));
+  });
+  parameters.client.jpeg_quality = parameters.live.jpeg_quality;
   reader.read("connect_timeout", 0.05, 60.0, &parameters.client.connect_timeout);
   reader.read("read_timeout", 0.05, 60.0, &parameters.client.read_timeout);
   reader.read("reconnect_wait_max", 0.01, 60.0, &parameters.client.reconnect_wait_max);
@@ -188,22 +190,17 @@ DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::str
 
   reader.read("stream_on_start", &parameters.stream_on_start);
   reader.read("stream_on_demand", &parameters.stream_on_demand);
-  reader.read("resolution", camera::kResolutionNames, isResolution, &parameters.resolution);
-  reader.read("frame_rate", "pictures a second", camera::kLowestFrameRate, camera::kCameraRate, &parameters.frame_rate);
-  reader.read("transport", camera::kTransportNames, isTransport, &parameters.transport);
-  parameters.client.picture_transport = *camera::transportOf(parameters.transport);
+  reader.read("resolution", camera::kResolutionNames, isResolution, &parameters.live.resolution);
+  reader.read("transport", camera::kTransportNames, isTransport, &parameters.live.transport);
+  parameters.client.picture_transport = *camera::transportOf(parameters.live.transport);
   reader.read("color_rate", "images a second", camera::kLowestFrameRate, camera::kCameraRate, &parameters.color_rate);
   reader.read("color_tables", "the files or names of colour tables, separated by blanks, or empty", isAnyText,
               &parameters.color_tables);
-  reader.read("microphone_channels", 1, 2, &parameters.microphone_channels);
+  reader.read("microphone_channels", "", 1, 2, &parameters.microphone_channels);
   reader.read("sound_priority", &parameters.sound_priority);
-  reader.read("adaptive", &parameters.adaptive);
-  reader.read("max_picture_age", "seconds", 0.05, 2.0, &parameters.max_picture_age);
-  reader.read("white_balance", 1, 3, &parameters.camera.white_balance);
-  reader.read("gain", 1, 3, &parameters.camera.gain);
-  reader.read("shutter_speed", 1, 3, &parameters.camera.shutter_speed);
-  reader.read("auto_exposure", &parameters.camera.auto_exposure);
-  reader.read("auto_white_balance", &parameters.camera.auto_white_balance);
+  reader.read("adaptive", &parameters.live.adaptive);
+  reader.read("auto_exposure", &parameters.live.auto_exposure);
+  reader.read("auto_white_balance", &parameters.live.auto_white_balance);
   reader.read("take_picture_timeout", 0.1, 60.0, &parameters.take_picture_timeout);
   reader.read("picture_folder", "the absolute path of a folder, or empty", isAbsoluteOrEmpty,
               &parameters.picture_folder);
@@ -223,10 +220,8 @@ DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::str
               &parameters.camera_info_url);
 
   reader.read("robot", "ERS-7 or ERS-210", isRobot, &parameters.robot);
-  reader.read("telemetry_rate", "messages a second", 0.0, kHighestTelemetryRate, &parameters.telemetry_rate);
   reader.read("joint_speed_limit", "rad/s", 0.1, 20.0, &parameters.joint_speed_limit);
   reader.read("motion_speed_limit", "rad/s", 0.1, 20.0, &parameters.motion_speed_limit);
-  reader.read("speed_scale", "parts of the speed limits", 0.1, 1.0, &parameters.speed_scale);
   reader.read("approach_speed", "rad/s", 0.05, 20.0, &parameters.approach_speed);
   reader.read("leave_out_missing_joints", &parameters.client.leave_out_missing_joints);
   reader.read("publish_footprint", &parameters.publish_footprint);

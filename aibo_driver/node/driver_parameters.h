@@ -2,6 +2,7 @@
 #ifndef AIBO_DRIVER_NODE_DRIVER_PARAMETERS_H
 #define AIBO_DRIVER_NODE_DRIVER_PARAMETERS_H
 
+#include <aibo_driver/AiboDriverConfig.h>
 #include <ros/node_handle.h>
 #include <xmlrpcpp/XmlRpcValue.h>
 
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "aibo_client/rcserver_client.h"
+#include "camera/camera_options.h"
 #include "movement/joint_command_filter.h"
 #include "movement/joint_table.h"
 #include "walk/walk_settings.h"
@@ -22,13 +24,8 @@ struct DriverParameters {
   /// The options of the client: host, port, jpeg_quality, time limits, waits before reconnecting, and whether motions
   /// may lack joints.
   aibo_client::ClientOptions client;
+  AiboDriverConfig live = AiboDriverConfig::__getDefault__();  ///< those that can be changed later, as they begin
   bool stream_on_start = true;             ///< whether the stream is wanted before set_streaming is called
-  std::string resolution = "208x160";      ///< the resolution of the stream, for camera::resolutionOf()
-  double frame_rate = 30.0;                ///< pictures per second of the stream, for camera::everyNthImageOf()
-  std::string transport = "auto";          ///< the transport of the stream's pictures, for camera::transportOf()
-  bool adaptive = false;                   ///< true: lower quality and rate to keep max_picture_age
-  double max_picture_age = 0.15;           ///< s, 0.05..2
-  aibo_client::CameraSettings camera;      ///< the camera's settings, with Sony's numbers
   double color_rate = 30.0;                ///< images per second of the colour detection, for camera::everyNthImageOf()
   std::string color_tables = "pink_ball";  ///< for ColorTableService::loadAtStart()
   int microphone_channels = 2;             ///< channels of the topic microphone, 1..2
@@ -42,11 +39,9 @@ struct DriverParameters {
   std::chrono::milliseconds take_picture_timeout{2000};  ///< 100 ms..60 s
   std::string picture_folder;  ///< the folder for save_to; may be empty: see files::pictureFolder()
 
-  std::string robot = "ERS-7";    ///< "ERS-7" or "ERS-210"
-  double telemetry_rate = 31.25;  ///< messages a second of joint_states and sensors, 0..31.25; 0 means none
+  std::string robot = "ERS-7";                            ///< "ERS-7" or "ERS-210"
   double joint_speed_limit = movement::kUsualSpeedLimit;  ///< rad/s, 0.1..20; slower joints have limits of their own
   double motion_speed_limit = movement::kNoSpeedLimit;    ///< rad/s, 0.1..20, while a motion file is played
-  double speed_scale = 1.0;                               ///< a factor of the speed limits, 0.1..1
   double approach_speed = movement::kUsualApproachSpeed;  ///< rad/s, 0.05..20; see JointCommandFilter
 
   walk::WalkSettings walk;
@@ -63,6 +58,20 @@ struct DriverParameters {
 
 /// Messages a second. The robot measures every 32 ms.
 constexpr double kHighestTelemetryRate = 31.25;
+
+/// Calls `visit` with each number that can be changed later: its name, its unit in words, and its member and range.
+template <typename Visit>
+void visitLiveNumbers(const Visit& visit) {
+  visit("jpeg_quality", "", &AiboDriverConfig::jpeg_quality, 1, camera::kMaxQuality);
+  visit("frame_rate", "pictures a second", &AiboDriverConfig::frame_rate, camera::kLowestFrameRate,
+        camera::kCameraRate);
+  visit("max_picture_age", "seconds", &AiboDriverConfig::max_picture_age, 0.05, 2.0);
+  visit("telemetry_rate", "messages a second", &AiboDriverConfig::telemetry_rate, 0.0, kHighestTelemetryRate);
+  visit("speed_scale", "parts of the speed limits", &AiboDriverConfig::speed_scale, 0.1, 1.0);
+  visit("white_balance", "", &AiboDriverConfig::white_balance, 1, 3);
+  visit("gain", "", &AiboDriverConfig::gain, 1, 3);
+  visit("shutter_speed", "", &AiboDriverConfig::shutter_speed, 1, 3);
+}
 
 /// The nearest period, in OPEN-R frames of 8 ms, that the robot can keep evenly. The robot measures every 4 frames, so
 /// the period is a multiple of 4. It is at most 65535, the largest number that fits into the request.

@@ -12,23 +12,6 @@
 #include "text/plain_text.h"
 
 namespace aibo_driver::node {
-namespace {
-
-/// Calls `visit` with the name, the member and the range of each number.
-template <typename Visit>
-void visitNumbers(const Visit& visit) {
-  visit("jpeg_quality", &AiboDriverConfig::jpeg_quality, 1, camera::kMaxQuality);
-  visit("frame_rate", &AiboDriverConfig::frame_rate, camera::kLowestFrameRate, camera::kCameraRate);
-  visit("max_picture_age", &AiboDriverConfig::max_picture_age, 0.05, 2.0);
-  visit("telemetry_rate", &AiboDriverConfig::telemetry_rate, 0.0, kHighestTelemetryRate);
-  visit("speed_scale", &AiboDriverConfig::speed_scale, 0.1, 1.0);
-  visit("white_balance", &AiboDriverConfig::white_balance, 1, 3);
-  visit("gain", &AiboDriverConfig::gain, 1, 3);
-  visit("shutter_speed", &AiboDriverConfig::shutter_speed, 1, 3);
-}
-
-}  // namespace
-
 LiveSettings::LiveSettings(const ros::NodeHandle& private_handle, aibo_client::RcServerClient& client,
                            camera::StreamAdapter& adapter, movement::JointTable& joint_table)
     : client_(client),
@@ -40,7 +23,7 @@ LiveSettings::LiveSettings(const ros::NodeHandle& private_handle, aibo_client::R
       server_(private_handle) {
   AiboDriverConfig least = in_force_;
   AiboDriverConfig most = in_force_;
-  visitNumbers([&](const char*, auto member, auto lowest, auto highest) {
+  visitLiveNumbers([&](const char*, const char*, auto member, auto lowest, auto highest) {
     least.*member = lowest;
     most.*member = highest;
   });
@@ -50,7 +33,7 @@ LiveSettings::LiveSettings(const ros::NodeHandle& private_handle, aibo_client::R
 }
 
 void LiveSettings::apply(AiboDriverConfig& config) {
-  visitNumbers([&](const char* name, auto member, auto lowest, auto highest) {
+  visitLiveNumbers([&](const char* name, const char*, auto member, auto lowest, auto highest) {
     auto& value = config.*member;
     if (value >= lowest && value <= highest) {
       return;
