@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
-#include <cstdint>
 #include <exception>
 #include <functional>
 #include <memory>
@@ -20,13 +19,10 @@
 #include <vector>
 
 #include "aibo_client/exceptions.h"
-#include "aibo_client/orders.h"
 #include "movement/mover.h"
 #include "node/actions.h"
 #include "node/bounded_action_server.h"
-#include "node/joints/motion_state_publisher.h"
 #include "node/orders.h"
-#include "text/plain_text.h"
 #include "text/sentence.h"
 
 namespace aibo_driver::node {
@@ -171,63 +167,6 @@ class GoalServer {
   ros::SteadyTimer timer_;
 };
 
-/// @name Functions for actions whose result has success, end and message, and whose feedback has a time
-/// @{
-
-/// @param message a sentence for the user
-template <typename Spec>
-GoalEnd<Spec> goalEnd(aibo_client::EndedHow how, const std::string& message) {
-  using aibo_client::EndedHow;
-  using State = typename GoalEnd<Spec>::State;
-  GoalEnd<Spec> end;
-  end.state = how == EndedHow::kDone       ? State::kSucceeded
-              : how == EndedHow::kReplaced ? State::kCanceled
-                                           : State::kAborted;
-  end.result.success = static_cast<std::uint8_t>(how == EndedHow::kDone);
-  end.result.end = endConstant(how);
-  end.result.message = message;
-  end.text = message;
-  return end;
-}
-
-/// Returns a function that makes the end of a rejected goal.
-/// @param failure the beginning of the message, such as "Nothing was played"
-template <typename Spec>
-auto refuseWith(const std::string& failure) {
-  return [failure](const std::exception& error) {
-    return goalEnd<Spec>(aibo_client::EndedHow::kRefused, text::plainText(failure + ": " + error.what()));
-  };
-}
-
-/// Returns a function that looks for an end, and publishes as feedback the time since now.
-/// @param end returns the end; no value before it has come
-template <typename Spec>
-auto lookFor(const std::function<std::optional<GoalEnd<Spec>>()>& end) {
-  return [end, begin = std::chrono::steady_clock::now()](const typename Activity<Spec>::Publish& publish) {
-    const std::optional<GoalEnd<Spec>> over = end();
-    if (!over) {
-      FeedbackOf<Spec> feedback;
-      feedback.time = ros::Duration(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
-      publish(feedback);
-    }
-    return over;
-  };
-}
-
-/// The end of a movement. If a server does not report the ends of motions, a goal succeeds as soon as its motion plays.
-/// @param done a text without a full stop that says that the robot has done it
-template <typename Spec>
-GoalEnd<Spec> goalEnd(const movement::EndedMovement& ended, const std::string& done) {
-  using aibo_client::EndedHow;
-  const std::string& reason = ended.reason;
-  const bool is_done = ended.how == EndedHow::kDone;
-  GoalEnd<Spec> end = goalEnd<Spec>(ended.how, is_done ? done + (reason.empty() ? "" : ": " + reason) + "." : reason);
-  if (ended.how == EndedHow::kUnknown && ended.movement.kind == movement::Movement::Kind::kMotion) {
-    end.state = GoalEnd<Spec>::State::kSucceeded;
-  }
-  return end;
-}
-
 /// @throw CommandException the movement was refused
 inline void throwIfRefused(const movement::Mover::Answer& begun) {
   const movement::EndedMovement* const ended = begun.ended();
@@ -235,20 +174,6 @@ inline void throwIfRefused(const movement::Mover::Answer& begun) {
     throw aibo_client::CommandException(text::sentence(ended->reason));
   }
 }
-
-/// Returns a function that looks for the end of a movement.
-/// @param done a text without a full stop that says that the robot has done it
-/// @throw CommandException the movement was refused
-template <typename Spec>
-auto lookFor(const movement::Mover::Answer& begun, const std::string& done) {
-  throwIfRefused(begun);
-  return lookFor<Spec>([begun, done]() -> std::optional<GoalEnd<Spec>> {
-    const movement::EndedMovement* const ended = begun.ended();
-    return ended == nullptr ? std::nullopt : std::make_optional(goalEnd<Spec>(*ended, done));
-  });
-}
-
-/// @}
 
 }  // namespace aibo_driver::node
 

@@ -16,6 +16,7 @@
 #include "movement/joint_plan.h"
 #include "node/goal_server.h"
 #include "node/joints/trajectory_messages.h"
+#include "text/plain_text.h"
 
 namespace aibo_driver::node {
 
