@@ -4,6 +4,8 @@
 #include <std_srvs/Trigger.h>
 
 #include <algorithm>
+#include <chrono>
+#include <future>
 #include <string>
 
 #include "aibo_client/exceptions.h"
@@ -32,6 +34,24 @@ std::string play(movement::Mover* mover, ServiceCall<PlayMotion>* call) {
   }
   return name + " has begun and plays " + (repetitions == 1 ? "once" : std::to_string(repetitions) + " times") +
          (begun.remark.empty() ? "." : ": " + begun.remark + ".");
+}
+
+// How long the change from one posture to another may take. The robot needs only a fraction of this time.
+constexpr std::chrono::milliseconds kEndTimeout{30000};
+
+std::string takePosture(movement::Mover* mover, const movement::Order& order, aibo_client::Posture posture,
+                        const std::string& success) {
+  const movement::Mover::Answer begun = mover->takePosture(order, posture);
+  if (begun.end.wait_for(kEndTimeout) == std::future_status::timeout) {
+    throw aibo_client::TimeoutException((begun.remark.empty() ? "it began" : begun.remark) +
+                                        ", but has not said within " + std::to_string(kEndTimeout.count() / 1000) +
+                                        " s that it has finished. motion_state says what it does.");
+  }
+  const movement::EndedMovement& end = begun.end.get();
+  if (end.how != EndedHow::kDone) {
+    throw aibo_client::CommandException(text::sentence(end.reason));
+  }
+  return success;
 }
 
 }  // namespace
@@ -82,6 +102,18 @@ Services motionServices(movement::Mover& mover) {
                                    " now: the joints hold where they are.";
                           }),
   };
+}
+
+Services postureServices(movement::Mover& mover) {
+  const auto posture_service = [&mover](const std::string& name, aibo_client::Posture posture,
+                                        const std::string& success) {
+    return service<std_srvs::Trigger>(name, "The robot does not " + name, [&mover, posture, success](auto& call) {
+      return takePosture(&mover, call.order, posture, success);
+    });
+  };
+  return {posture_service("stand", aibo_client::Posture::kStand, "The robot stands."),
+          posture_service("sit", aibo_client::Posture::kSit, "The robot sits."),
+          posture_service("rest", aibo_client::Posture::kRest, "The robot lies down, and its motors are off.")};
 }
 
 }  // namespace aibo_driver::node
