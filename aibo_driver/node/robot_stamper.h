@@ -13,9 +13,6 @@
 #include <optional>
 
 #include "aibo_client/camera.h"
-#include "aibo_client/colors.h"
-#include "aibo_client/sound.h"
-#include "aibo_client/telemetry.h"
 #include "robot_time/robot_clock.h"
 
 namespace aibo_driver::node {
@@ -52,28 +49,17 @@ class RobotStamper {
                std::function<ros::Time()> ros_now = ros::Time::now,
                std::function<SteadyTime()> steady_now = std::chrono::steady_clock::now);
 
-  /// The same picture gets the same stamp as long as it is among the kRemembered latest pictures. The stamp is never
-  /// before the epoch, even if a simulated clock has not begun to run.
-  ros::Time stamp(const aibo_client::Picture& picture) { return momentOf(picture).stamp; }
-
-  /// When the robot took the picture; Moment::stamp is that of stamp().
+  /// When the robot took the picture, and the stamp of its messages. The same picture gets the same stamp as long as it
+  /// is among the kRemembered latest ones. A stamp is never before the epoch, even if a simulated clock has not begun to
+  /// run.
   Moment momentOf(const aibo_client::Picture& picture) {
     return find(picture.connection_number, picture.frame_number, picture.first_byte_time);
   }
 
-  /// The stamp of telemetry.
-  ros::Time stamp(const aibo_client::Telemetry& telemetry) {
-    return find(telemetry.connection_number, telemetry.frame_number, telemetry.arrival).stamp;
-  }
-
-  /// The stamp of detected colours.
-  ros::Time stamp(const aibo_client::DetectedColors& colors) {
-    return find(colors.connection_number, colors.frame_number, colors.arrival).stamp;
-  }
-
-  /// The stamp of the first sample.
-  ros::Time stamp(const aibo_client::HeardSound& sound) {
-    return find(sound.connection_number, sound.frame_number, sound.arrival).stamp;
+  /// The stamp of telemetry, of detected colours, or of the first sample of a sound.
+  template <typename Report>
+  ros::Time stamp(const Report& report) {
+    return find(report.connection_number, report.frame_number, report.arrival).stamp;
   }
 
  private:

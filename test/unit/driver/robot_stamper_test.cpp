@@ -44,7 +44,7 @@ class RobotStamperTest : public ::testing::Test {
 
 TEST_F(RobotStamperTest, TheStampOfAPictureWithoutAFrameNumberIsTheArrivalOfItsFirstByte) {
   RobotStamper stamper = makeStamper(0ns, &robot_clock_);
-  EXPECT_EQ(stamper.stamp(pictureOf(steady_now_ - 20ms)), ros::Time(999, 980000000));
+  EXPECT_EQ(stamper.momentOf(pictureOf(steady_now_ - 20ms)).stamp, ros::Time(999, 980000000));
 }
 
 TEST_F(RobotStamperTest, KnowsWhenAPictureWithAFrameNumberWasTaken) {
@@ -87,7 +87,7 @@ TEST_F(RobotStamperTest, StampsOfPicturesAndTelemetryOfOneFrameAreTheSame) {
   advance(25ms);
   Picture picture = pictureOf(steady_now_);
   picture.frame_number = 100;
-  EXPECT_EQ(pictures.stamp(picture), measured);
+  EXPECT_EQ(pictures.momentOf(picture).stamp, measured);
 }
 
 TEST_F(RobotStamperTest, StampsFollowARosClockThatIsSet) {
@@ -102,21 +102,21 @@ TEST_F(RobotStamperTest, StampsFollowARosClockThatIsSet) {
 }
 
 TEST_F(RobotStamperTest, TheOffsetIsAdded) {
-  EXPECT_EQ(makeStamper(30ms).stamp(pictureOf(steady_now_)), ros::Time(1000, 30000000));
+  EXPECT_EQ(makeStamper(30ms).momentOf(pictureOf(steady_now_)).stamp, ros::Time(1000, 30000000));
   EXPECT_EQ(makeStamper(-30ms, &robot_clock_).stamp(telemetryOf(7, steady_now_)), ros::Time(999, 970000000));
 }
 
 TEST_F(RobotStamperTest, TheSamePictureHasTheSameStampLater) {
   RobotStamper stamper = makeStamper(0ns);
   Picture former = pictureOf(steady_now_);
-  ros::Time former_stamp = stamper.stamp(former);
+  ros::Time former_stamp = stamper.momentOf(former).stamp;
   for (int i = 0; i < 20; ++i) {  // more than it remembers
     advance(33ms);
     const Picture picture = pictureOf(steady_now_);
-    const ros::Time stamp = stamper.stamp(picture);
+    const ros::Time stamp = stamper.momentOf(picture).stamp;
     ros_now_ += ros::Duration(0, 700);  // the clocks drift
-    EXPECT_EQ(stamper.stamp(picture), stamp) << i;
-    EXPECT_EQ(stamper.stamp(former), former_stamp) << i;
+    EXPECT_EQ(stamper.momentOf(picture).stamp, stamp) << i;
+    EXPECT_EQ(stamper.momentOf(former).stamp, former_stamp) << i;
     former = picture;
     former_stamp = stamp;
   }
@@ -125,20 +125,20 @@ TEST_F(RobotStamperTest, TheSamePictureHasTheSameStampLater) {
 TEST_F(RobotStamperTest, StampsIncreaseEvenIfTheRosClockStepsBackALittle) {
   RobotStamper stamper = makeStamper(0ns);
   for (int i = 0; i < 20; ++i) {  // more than it remembers
-    stamper.stamp(pictureOf(steady_now_));
+    stamper.momentOf(pictureOf(steady_now_));
     advance(33ms);
   }
-  const ros::Time first = stamper.stamp(pictureOf(steady_now_));
+  const ros::Time first = stamper.momentOf(pictureOf(steady_now_)).stamp;
   advance(33ms);
   ros_now_ -= ros::Duration(0.5);
-  EXPECT_GT(stamper.stamp(pictureOf(steady_now_)), first);
+  EXPECT_GT(stamper.momentOf(pictureOf(steady_now_)).stamp, first);
 }
 
 TEST_F(RobotStamperTest, StampsIncreaseWhileASimulatedClockHasNotBegun) {
   RobotStamper stamper = makeStamper(-30ms);
   ros_now_ = ros::Time(0, 0);
-  const ros::Time first = stamper.stamp(pictureOf(steady_now_ - 10ms));
-  const ros::Time second = stamper.stamp(pictureOf(steady_now_ - 5ms));
+  const ros::Time first = stamper.momentOf(pictureOf(steady_now_ - 10ms)).stamp;
+  const ros::Time second = stamper.momentOf(pictureOf(steady_now_ - 5ms)).stamp;
   EXPECT_EQ(first, ros::Time(0, 0));
   EXPECT_GT(second, first);
 }
