@@ -74,30 +74,16 @@ DriverDiagnostics::~DriverDiagnostics() = default;
 
 // A listener who comes later gets only what happened within the last second, not everything since the start.
 void DriverDiagnostics::publish(const camera::LinkMeter::Reading& stream, double asked_rate) {
-  period_ = takePeriod(stream, asked_rate);
+  const auto now = std::chrono::steady_clock::now();
+  seconds_ = std::chrono::duration<double>(now - std::exchange(end_, now)).count();
+  before_ = std::exchange(client_, sources_.client.statistics());
+  undecodable_before_ = std::exchange(undecodable_, sources_.raw_images.statistics().decode_errors);
+  stream_ = stream;
+  asked_rate_ = asked_rate;
+  delay_ = sources_.robot_clock.read();
   if (topic_.getNumSubscribers() > 0) {
     updater_->force_update();
   }
-}
-
-DriverDiagnostics::Period DriverDiagnostics::takePeriod(const camera::LinkMeter::Reading& stream, double asked_rate) {
-  const ClientStatistics client = sources_.client.statistics();
-  const ClientStatistics before = std::exchange(client_before_, client);
-  const std::uint64_t undecodable = sources_.raw_images.statistics().decode_errors;
-  const auto now = std::chrono::steady_clock::now();
-  const std::chrono::duration<double> passed = now - std::exchange(period_began_, now);
-  Period period;
-  period.asked_rate = asked_rate;
-  period.stream = stream;
-  period.delay = sources_.robot_clock.read();
-  period.damaged =
-      client.corrupt_pictures - before.corrupt_pictures + undecodable - std::exchange(undecodable_before_, undecodable);
-  period.measurement_rate = static_cast<double>(client.telemetry - before.telemetry) / passed.count();
-  period.impossible = client.impossible_values - before.impossible_values;
-  period.sound_rate = static_cast<double>(client.sounds - before.sounds) / passed.count();
-  period.sound_gaps = client.sound_gaps - before.sound_gaps;
-  period.thinned = client.thinned_telemetry - before.thinned_telemetry;
-  return period;
 }
 
 void DriverDiagnostics::reportConnection(DiagnosticStatusWrapper& status) {
@@ -112,35 +98,32 @@ void DriverDiagnostics::reportConnection(DiagnosticStatusWrapper& status) {
   status.add("protocol version", connection.protocol_version);
   status.add("reason", connection.reason);
   status.add("what to check", connection.advice);
-  const ClientStatistics client = sources_.client.statistics();
-  addAll({{"connections made", client.connections},
-          {"attempts failed", client.failed_attempts},
-          {"streams given up for silence", client.stalls},
-          {"protocol errors", client.protocol_errors},
-          {"bytes received", client.bytes_received}},
+  addAll({{"connections made", client_.connections},
+          {"attempts failed", client_.failed_attempts},
+          {"streams given up for silence", client_.stalls},
+          {"protocol errors", client_.protocol_errors},
+          {"bytes received", client_.bytes_received}},
          status);
 }
 
 void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
-  const camera::LinkMeter::Reading& reading = period_.stream;
   summarizeStream(status);
-  reportDelay(period_.delay, status);
+  reportDelay(delay_, status);
   reportTransport(status);
   status.add("stream wanted", yesOrNo(sources_.policy.wanted()));
   status.add("streaming", yesOrNo(sources_.client.streaming()));
   status.add("adaptive", sources_.adapter.describe());
   status.add("quality asked for", sources_.client.jpegQuality());
-  status.add("pictures per second", text::decimal(reading.picturesPerSecond(), 1));
-  status.add("pictures per second asked for", text::decimal(period_.asked_rate, 1));
-  status.add("KB per second", text::decimal(reading.kilobytesPerSecond(), 1));
-  status.addf("first byte to published, mean ms", "%.2f", 1000.0 * reading.mean_latency);
-  status.addf("first byte to published, longest ms", "%.2f", 1000.0 * reading.max_latency);
-  const ClientStatistics client = sources_.client.statistics();
+  status.add("pictures per second", text::decimal(stream_.picturesPerSecond(), 1));
+  status.add("pictures per second asked for", text::decimal(asked_rate_, 1));
+  status.add("KB per second", text::decimal(stream_.kilobytesPerSecond(), 1));
+  status.addf("first byte to published, mean ms", "%.2f", 1000.0 * stream_.mean_latency);
+  status.addf("first byte to published, longest ms", "%.2f", 1000.0 * stream_.max_latency);
   const RawImagePublisher::Statistics images = sources_.raw_images.statistics();
-  addAll({{"pictures received", client.pictures},
-          {"pictures damaged", client.corrupt_pictures},
-          {"pictures nobody asked for", client.unexpected_pictures},
-          {"pictures dropped for newer ones", client.stale_pictures},
+  addAll({{"pictures received", client_.pictures},
+          {"pictures damaged", client_.corrupt_pictures},
+          {"pictures nobody asked for", client_.unexpected_pictures},
+          {"pictures dropped for newer ones", client_.stale_pictures},
           {"images decoded", images.published},
           {"images not decodable", images.decode_errors},
           {"images dropped for newer ones", images.skipped}},
@@ -156,35 +139,34 @@ void DriverDiagnostics::reportTransport(DiagnosticStatusWrapper& status) const {
   status.add("transport", camera::nameOf(connection.transport));
   status.add("transport wanted", camera::nameOf(connection.wanted_transport));
   status.add("why this transport", camera::transportReason(connection));
-  const ClientStatistics client = sources_.client.statistics();
-  if (client.datagrams + client.foreign_datagrams + client.bad_datagrams == 0) {
+  if (client_.datagrams + client_.foreign_datagrams + client_.bad_datagrams == 0) {
     return;
   }
-  addAll({{"datagrams received", client.datagrams},
-          {"datagrams lost", client.lost_datagrams},
-          {"datagrams out of order", client.reordered_datagrams},
-          {"datagrams that came twice", client.duplicate_datagrams},
-          {"datagrams that are no part of a picture", client.bad_datagrams},
-          {"datagrams from strangers", client.foreign_datagrams},
-          {"lost datagrams that were repaired", client.repaired_datagrams},
-          {"pictures lost with a datagram", client.lost_pictures}},
+  addAll({{"datagrams received", client_.datagrams},
+          {"datagrams lost", client_.lost_datagrams},
+          {"datagrams out of order", client_.reordered_datagrams},
+          {"datagrams that came twice", client_.duplicate_datagrams},
+          {"datagrams that are no part of a picture", client_.bad_datagrams},
+          {"datagrams from strangers", client_.foreign_datagrams},
+          {"lost datagrams that were repaired", client_.repaired_datagrams},
+          {"pictures lost with a datagram", client_.lost_pictures}},
          status);
 }
 
 void DriverDiagnostics::summarizeStream(DiagnosticStatusWrapper& status) const {
-  const camera::LinkMeter::Reading& reading = period_.stream;
-  if (period_.damaged > 0) {
-    status.summary(DiagnosticStatus::WARN, std::to_string(period_.damaged) +
+  const std::uint64_t damaged = grown(&ClientStatistics::corrupt_pictures) + undecodable_ - undecodable_before_;
+  if (damaged > 0) {
+    status.summary(DiagnosticStatus::WARN, std::to_string(damaged) +
                                                " damaged pictures dropped: does the RCServer on the robot belong to "
                                                "this driver, and is its memory stick in order?");
-  } else if (reading.pictures > 0 && reading.slow_for > kSlowTime) {
-    status.summary(DiagnosticStatus::WARN, "only " + text::decimal(reading.picturesPerSecond(), 1) + " of " +
-                                               text::decimal(period_.asked_rate, 1) +
+  } else if (stream_.pictures > 0 && stream_.slow_for > kSlowTime) {
+    status.summary(DiagnosticStatus::WARN, "only " + text::decimal(stream_.picturesPerSecond(), 1) + " of " +
+                                               text::decimal(asked_rate_, 1) +
                                                " pictures/s: is the radio link weak, or the robot or this computer "
                                                "busy?");
-  } else if (reading.pictures > 0) {
-    status.summary(DiagnosticStatus::OK, text::decimal(reading.picturesPerSecond(), 1) + " pictures/s, " +
-                                             text::decimal(reading.kilobytesPerSecond(), 1) + " KB/s");
+  } else if (stream_.pictures > 0) {
+    status.summary(DiagnosticStatus::OK, text::decimal(stream_.picturesPerSecond(), 1) + " pictures/s, " +
+                                             text::decimal(stream_.kilobytesPerSecond(), 1) + " KB/s");
   } else if (!sources_.policy.wanted()) {
     status.summary(DiagnosticStatus::OK, "idle: the stream is off (set_streaming turns it on)");
   } else if (sources_.policy.waitsForSubscriber()) {
@@ -206,28 +188,28 @@ void DriverDiagnostics::reportJoints(DiagnosticStatusWrapper& status) {
                                                 sources_.parameters.robot);
   } else if (!connection.robot_message.empty()) {
     status.summary(DiagnosticStatus::ERROR, "the robot says: " + connection.robot_message);
-  } else if (period_.impossible > 0) {
-    status.summary(DiagnosticStatus::WARN, std::to_string(period_.impossible) +
+  } else if (grown(&ClientStatistics::impossible_values) > 0) {
+    status.summary(DiagnosticStatus::WARN, std::to_string(grown(&ClientStatistics::impossible_values)) +
                                                " impossible values dropped: is the joint or sensor that the log names "
                                                "broken, or does the RCServer not belong to this driver?");
-  } else if (period_.thinned > 0) {
-    status.summary(DiagnosticStatus::WARN, std::to_string(period_.thinned) +
+  } else if (grown(&ClientStatistics::thinned_telemetry) > 0) {
+    status.summary(DiagnosticStatus::WARN, std::to_string(grown(&ClientStatistics::thinned_telemetry)) +
                                                " measurements dropped: the robot sends more than twice as many as it "
                                                "was asked for");
   } else if (sources_.settings.telemetryPeriod() == 0) {
     status.summary(DiagnosticStatus::OK, "idle: telemetry_rate is 0");
-  } else if (period_.measurement_rate > 0) {
-    status.summary(DiagnosticStatus::OK, text::decimal(period_.measurement_rate, 1) + " measurements/s");
+  } else if (ratePerSecond(&ClientStatistics::telemetry) > 0) {
+    status.summary(DiagnosticStatus::OK,
+                   text::decimal(ratePerSecond(&ClientStatistics::telemetry), 1) + " measurements/s");
   } else {
     status.summary(DiagnosticStatus::WARN, "the robot sends no joint positions: does its RCServer support joints?");
   }
   reportWhatCannotMove(status);
-  status.add("measurements per second", text::decimal(period_.measurement_rate, 1));
-  const ClientStatistics client = sources_.client.statistics();
-  addAll({{"measurements received", client.telemetry},
-          {"measurements dropped, more than asked for", client.thinned_telemetry},
-          {"impossible values dropped", client.impossible_values},
-          {"requests refused by the robot", client.refusals}},
+  status.add("measurements per second", text::decimal(ratePerSecond(&ClientStatistics::telemetry), 1));
+  addAll({{"measurements received", client_.telemetry},
+          {"measurements dropped, more than asked for", client_.thinned_telemetry},
+          {"impossible values dropped", client_.impossible_values},
+          {"requests refused by the robot", client_.refusals}},
          status);
   status.add("robot", connection.robot.design);
   status.add("server", connection.robot.server);
@@ -249,22 +231,21 @@ void DriverDiagnostics::reportSound(DiagnosticStatusWrapper& status) {
   const bool listens = sources_.microphone.hasSubscribers();
   if (!listens) {
     status.summary(DiagnosticStatus::OK, "idle: microphone has no subscriber");
-  } else if (period_.sound_rate == 0) {
+  } else if (ratePerSecond(&ClientStatistics::sounds) == 0) {
     status.summary(DiagnosticStatus::WARN,
                    "nothing is heard: is the robot connected, and does its RCSERVER.CFG have "
                    "ALLOW_MICROPHONE=yes?");
-  } else if (period_.sound_gaps > 0) {
+  } else if (grown(&ClientStatistics::sound_gaps) > 0) {
     status.summary(DiagnosticStatus::WARN, "sound is missing: is the radio link too slow for it?");
   } else {
     status.summary(DiagnosticStatus::OK, "listening");
   }
   status.add("listening", yesOrNo(listens));
   status.add("playing", yesOrNo(sources_.player.isPlaying()));
-  status.add("messages per second", text::decimal(period_.sound_rate, 1));
-  const ClientStatistics client = sources_.client.statistics();
-  addAll({{"messages", client.sounds},
-          {"gaps", client.sound_gaps},
-          {"messages dropped, more than asked for", client.thinned_sounds}},
+  status.add("messages per second", text::decimal(ratePerSecond(&ClientStatistics::sounds), 1));
+  addAll({{"messages", client_.sounds},
+          {"gaps", client_.sound_gaps},
+          {"messages dropped, more than asked for", client_.thinned_sounds}},
          status);
 }
 

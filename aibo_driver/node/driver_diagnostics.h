@@ -61,20 +61,13 @@ class DriverDiagnostics {
   void publish(const camera::LinkMeter::Reading& stream, double asked_rate);
 
  private:
-  /// What happened since the last call of publish().
-  struct Period {
-    double asked_rate = 0;  ///< pictures a second, at the end of the period
-    camera::LinkMeter::Reading stream;
-    robot_time::RobotClock::Reading delay;
-    std::uint64_t damaged = 0;  ///< damaged pictures
-    double measurement_rate = 0;
-    std::uint64_t impossible = 0;  ///< impossible values
-    std::uint64_t thinned = 0;     ///< measurements that were dropped because too many came
-    double sound_rate = 0;         ///< pieces of sound a second
-    std::uint64_t sound_gaps = 0;
-  };
+  using CountOf = aibo_client::Counter aibo_client::ClientStatistics::*;
 
-  Period takePeriod(const camera::LinkMeter::Reading& stream, double asked_rate);
+  /// How much a count of the client has grown between the last two calls of publish().
+  std::uint64_t grown(CountOf count) const { return client_.*count - before_.*count; }
+
+  double ratePerSecond(CountOf count) const { return static_cast<double>(grown(count)) / seconds_; }
+
   void reportConnection(diagnostic_updater::DiagnosticStatusWrapper& status);
   void reportStream(diagnostic_updater::DiagnosticStatusWrapper& status);
   void reportTransport(diagnostic_updater::DiagnosticStatusWrapper& status) const;
@@ -85,10 +78,17 @@ class DriverDiagnostics {
   void reportPower(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   Sources sources_;
-  std::chrono::steady_clock::time_point period_began_ = std::chrono::steady_clock::now();
-  aibo_client::ClientStatistics client_before_;  ///< the statistics at the last call of publish()
+  // What is reported: the time between the last two calls of publish().
+  std::chrono::steady_clock::time_point end_ = std::chrono::steady_clock::now();
+  double seconds_ = 1;
+  aibo_client::ClientStatistics before_;
+  aibo_client::ClientStatistics client_;
   std::uint64_t undecodable_before_ = 0;
-  Period period_;  ///< the period that is being reported
+  std::uint64_t undecodable_ = 0;
+  camera::LinkMeter::Reading stream_;
+  double asked_rate_ = 0;
+  robot_time::RobotClock::Reading delay_;
+
   ros::Publisher topic_;
   std::unique_ptr<diagnostic_updater::Updater> updater_;  ///< a pointer, because its header takes long to compile
 };
