@@ -88,10 +88,9 @@ OStatus RCServer::DoInit(const OSystemEvent&) {
   power_down_.Begin(body_);
   body_->Start(subject[sbjEffector], subject[sbjSpeaker]);  // the gates may be ready before DoStart()
   settings_ = readSettingsFile(hostSettings());
-  const Robot robot = {body_->Design(), body_->Joints(), body_->Motors(),     body_->Sensors(),
-                       body_->Lights(), body_->Camera(), body_->Colors(),     body_->Hearing(),
-                       body_->Voice(),  datagrams_,      power_down_.Order(), file_desk_,
-                       clock_};
+  const Robot robot = {body_->Design(), body_->Joints(),     body_->Motors(),  body_->Sensors(),
+                       body_->Lights(), body_->Camera(),     body_->Hearing(), body_->Voice(),
+                       datagrams_,      power_down_.Order(), file_desk_,       clock_};
   session_ = new Session(robot, settings_, hostSettings().newest_version);
   return oSUCCESS;
 }

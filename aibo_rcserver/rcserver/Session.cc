@@ -29,7 +29,6 @@ void Session::End() {
   robot_.lights.ClientGone();
   robot_.camera.ClientGone();
   robot_.datagrams.Stop();
-  robot_.colors.ClientGone();
   robot_.microphone.ClientGone();
   robot_.speaker.ClientGone();
   Begin();

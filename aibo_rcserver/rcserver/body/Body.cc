@@ -17,7 +17,7 @@ Body::Body()
       joint_driver_(model_),
       light_driver_(model_),
       sensor_driver_(model_),
-      colors_(camera_, model_.number_of_color_channels) {
+      camera_(model_.number_of_color_channels) {
   light_driver_.Open();
   sensor_driver_.Open();
 }

@@ -12,7 +12,6 @@
 #include "rcserver/body/SensorDriver.h"
 #include "rcserver/body/Speaker.h"
 #include "rcserver/camera/CameraControl.h"
-#include "rcserver/camera/ColorTables.h"
 
 /// Opens the joints, sensors, LEDs and ears in the table of the robot's design, and sends commands to them.
 ///
@@ -36,7 +35,6 @@ class Body {
   const SensorDriver& Sensors() const { return sensor_driver_; }
   LightDriver& Lights() { return light_driver_; }
   CameraControl& Camera() { return camera_; }
-  ColorTables& Colors() { return colors_; }
   Microphone& Hearing() { return microphone_; }
   Speaker& Voice() { return speaker_; }
 
@@ -75,7 +73,6 @@ class Body {
   LightDriver light_driver_;
   SensorDriver sensor_driver_;
   CameraControl camera_;
-  ColorTables colors_;
   Microphone microphone_;
   Speaker speaker_;
 };

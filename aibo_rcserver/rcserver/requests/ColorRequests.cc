@@ -4,7 +4,8 @@
 
 using namespace protocol::version2;
 
-ColorRequests::ColorRequests(ColorTables& tables, Exchange& exchange) : tables_(tables), exchange_(exchange), wish_() {}
+ColorRequests::ColorRequests(CameraControl& camera, Exchange& exchange)
+    : camera_(camera), exchange_(exchange), wish_() {}
 
 void ColorRequests::CarryOut() {
   ColorSettings settings = {1, false};
@@ -41,13 +42,13 @@ void ColorRequests::LoadTable() {
   if (!exchange_.Decode(&table)) {
     return;
   }
-  const int channels = tables_.NumberOfChannels();
+  const int channels = camera_.NumberOfChannels();
   if (table.channel >= channels) {
     char text[MAX_ERROR_TEXT_SIZE];
     sprintf(text, "the camera of this robot has no channel %d to detect colours; it has %d, from 0 on",
             static_cast<int>(table.channel), channels);
     exchange_.Refuse(CODE_REFUSED, text);
-  } else if (tables_.Load(table)) {
+  } else if (camera_.Load(table)) {
     exchange_.Out().Colors().Drop();  // the colours that wait were detected with the earlier table
     exchange_.ReplyWithoutPayload();
   } else {
@@ -72,7 +73,7 @@ void ColorRequests::Detected(const ColorPlane& plane, unsigned image_count, unsi
   regions.width = static_cast<unsigned short>(plane.width);
   regions.height = static_cast<unsigned short>(plane.height);
   regions.has_plane = wish_.settings.with_plane && canPackPlane(plane);
-  countColors(plane, tables_.Loaded(), &regions);
+  countColors(plane, camera_.LoadedTables(), &regions);
   regions.plane = NULL;
   regions.plane_size = 0;
   size_t size = encode(regions, exchange_.Payload());

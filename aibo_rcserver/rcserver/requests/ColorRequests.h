@@ -2,14 +2,14 @@
 #define AIBO_RCSERVER_RCSERVER_REQUESTS_COLOR_REQUESTS_H
 
 #include "protocol/color_requests.h"
+#include "rcserver/camera/CameraControl.h"
 #include "rcserver/camera/ColorCounter.h"
-#include "rcserver/camera/ColorTables.h"
 #include "rcserver/requests/Exchange.h"
 
 /// Loads the tables of colours, and pushes what the camera has detected with them.
 class ColorRequests {
  public:
-  ColorRequests(ColorTables& tables, Exchange& exchange);
+  ColorRequests(CameraControl& camera, Exchange& exchange);
 
   /// Call this for a new client, which gets no colours at first.
   void Begin() { wish_ = Wish(); }
@@ -39,7 +39,7 @@ class ColorRequests {
   void Switch(bool on, const protocol::version2::ColorSettings& settings);
   void LoadTable();
 
-  ColorTables& tables_;
+  CameraControl& camera_;
   Exchange& exchange_;
   Wish wish_;
 };

@@ -7,7 +7,6 @@
 #include "rcserver/body/SensorDriver.h"
 #include "rcserver/body/Speaker.h"
 #include "rcserver/camera/CameraControl.h"
-#include "rcserver/camera/ColorTables.h"
 #include "rcserver/camera/PictureDatagrams.h"
 #include "rcserver/joints/JointControl.h"
 #include "rcserver/requests/FileJobs.h"
@@ -27,7 +26,6 @@ struct Robot {
   const SensorDriver& sensors;
   LightDriver& lights;
   CameraControl& camera;
-  ColorTables& colors;
   Microphone& microphone;
   Speaker& speaker;
   DatagramSwitch& datagrams;

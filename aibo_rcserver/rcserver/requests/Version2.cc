@@ -33,7 +33,7 @@ Version2::Version2(const Robot& robot, const Settings& settings, FileOrder& file
       moves_(robot, stick_, exchange_),
       telemetry_(robot, exchange_),
       camera_(robot, camera, exchange_),
-      colors_(robot.colors, exchange_),
+      colors_(robot.camera, exchange_),
       sound_(robot.microphone, robot.speaker, exchange_) {
   char* end = capabilities_;
   for (const Row* row = ROWS; row->request != NULL; ++row) {

@@ -430,8 +430,7 @@ class Server {
   ObedientMotors motors_;
   SensorDriver sensors_{kRobot};
   LightDriver lights_{kRobot};
-  CameraControl camera_;
-  ColorTables colors_{camera_, kRobot.number_of_color_channels};
+  CameraControl camera_{kRobot.number_of_color_channels};
   Microphone microphone_;
   Speaker speaker_;
   SoundGates gates_;
@@ -439,7 +438,7 @@ class Server {
   PowerOrder power_order_ = POWER_STAYS_ON;
   SlowFiles files_{host_};
   FrameClock clock_;
-  Robot robot_{kRobot.design, joints_,  motors_,    sensors_,     lights_, camera_, colors_,
+  Robot robot_{kRobot.design, joints_,  motors_,    sensors_,     lights_, camera_,
                microphone_,   speaker_, datagrams_, power_order_, files_,  clock_};
   Session session_{robot_, settings_, version2::VERSION};
   Bytes output_;
