@@ -138,14 +138,14 @@ void RCServer::NotifyImage(const ONotifyEvent& event) {
   OFbkImageVectorData* image_vector = VectorOf<OFbkImageVectorData>(event);
   PassTime(image_vector->GetInfo(ofbkimageLAYER_H)->frameNumber);
   pictures_.CountImage(image_vector);
-  session_->Camera().SetHasDetail(PictureTaker::HasDetail(image_vector));
+  session_->Pictures().SetHasDetail(PictureTaker::HasDetail(image_vector));
   if (client_ != NULL && pictures_.HasRoom()) {
     OfferImage(image_vector);
     BeginPicture();
   }
-  if (client_ != NULL && session_->Colors().Wants(pictures_.ImageCount())) {
-    session_->Colors().Detected(FindColorPlane(image_vector), pictures_.ImageCount(),
-                                image_vector->GetInfo(ofbkimageLAYER_H)->frameNumber);
+  if (client_ != NULL && session_->Camera().WantsColors(pictures_.ImageCount())) {
+    session_->Camera().ColorsDetected(FindColorPlane(image_vector), pictures_.ImageCount(),
+                                      image_vector->GetInfo(ofbkimageLAYER_H)->frameNumber);
     ServeClient();
   }
   observer[event.ObsIndex()]->AssertReady();
@@ -555,7 +555,7 @@ void RCServer::ServeClient() {
     }
   }
   power_down_.Note(Now());
-  if (pictures_.HasPicture() && !session_->Camera().Wants(pictures_.Order())) {
+  if (pictures_.HasPicture() && !session_->Pictures().Wants(pictures_.Order())) {
     pictures_.DropPicture();
   }
   body_->SendCommands();
@@ -633,12 +633,12 @@ void RCServer::OfferImage(OFbkImageVectorData* image_vector) {
 bool RCServer::FindOrder(PictureOrder* order) {
   // A picture that still waits is replaced by one of this newer image.
   if (!pictures_.TakeBack(order)) {
-    return !IsSendingPicture() && session_->Camera().ImageArrived(pictures_.ImageCount(), order);
+    return !IsSendingPicture() && session_->Pictures().ImageArrived(pictures_.ImageCount(), order);
   }
-  if (!session_->Camera().Wants(*order)) {
+  if (!session_->Pictures().Wants(*order)) {
     return false;
   }
-  session_->Camera().TakeAgain(*order, pictures_.ImageCount());
+  session_->Pictures().TakeAgain(*order, pictures_.ImageCount());
   return true;
 }
 
@@ -670,7 +670,7 @@ void RCServer::UsePicture() {
   if (pictures_.Order().is_for_stick) {
     session_->PictureTaken(picture.jpeg, picture.size);
     pictures_.DropPicture();
-  } else if (datagrams_.IsOn() && pictures_.Order().is_of_stream && session_->Camera().Wants(pictures_.Order())) {
+  } else if (datagrams_.IsOn() && pictures_.Order().is_of_stream && session_->Pictures().Wants(pictures_.Order())) {
     last_picture_ = Now();
     datagrams_.Send(pictures_.Header(), picture.jpeg, picture.size, Now());
     pictures_.DropPicture();

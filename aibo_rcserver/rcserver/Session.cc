@@ -10,8 +10,8 @@ Session::Session(const Robot& robot, const Settings& settings, int newest_versio
     : robot_(robot),
       newest_version_(newest_version),
       files_(robot.files, robot.joints, robot.motors),
-      version1_(robot_, settings, files_, camera_, outbox_, payload_),
-      version2_(robot_, settings, files_, camera_, outbox_),
+      version1_(robot_, settings, files_, pictures_, outbox_, payload_),
+      version2_(robot_, settings, files_, pictures_, outbox_),
       frame_reader_(payload_, sizeof(payload_)) {}
 
 void Session::Begin() {
@@ -24,7 +24,7 @@ void Session::Begin() {
 }
 
 void Session::End() {
-  camera_.ClientGone();
+  pictures_.ClientGone();
   robot_.joints.ClientGone();
   robot_.lights.ClientGone();
   robot_.camera.ClientGone();

@@ -80,7 +80,7 @@ class Session {
   void Measured(unsigned frame);
 
   // What a client of version 2 has asked for: colours, sound, and a file that must be sent.
-  ColorRequests& Colors() { return version2_.Colors(); }
+  CameraRequests& Camera() { return version2_.Camera(); }
   SoundRequests& Sound() { return version2_.Sound(); }
   StickRequests& Stick() { return version2_.Stick(); }
   bool SoundWaits() const { return outbox_.HasSound(); }
@@ -103,7 +103,7 @@ class Session {
   /// True if a client that is silent has to be dropped, as in version 2.
   bool ExpectsHeartbeat() const { return talk_.version == protocol::version2::VERSION; }
 
-  ImageObserver& Camera() { return camera_; }
+  ImageObserver& Pictures() { return pictures_; }
 
   /// Writes the bytes that precede a picture, in the client's version.
   /// @param[out] out room for MAX_PICTURE_HEADER_SIZE bytes
@@ -145,7 +145,7 @@ class Session {
 
   const Robot robot_;
   const int newest_version_;
-  ImageObserver camera_;
+  ImageObserver pictures_;
   Outbox outbox_;
   FileOrder files_;
   Version1 version1_;

@@ -33,7 +33,6 @@ Version2::Version2(const Robot& robot, const Settings& settings, FileOrder& file
       moves_(robot, stick_, exchange_),
       telemetry_(robot, exchange_),
       camera_(robot, camera, exchange_),
-      colors_(robot.camera, exchange_),
       sound_(robot.microphone, robot.speaker, exchange_) {
   char* end = capabilities_;
   for (const Row* row = ROWS; row->request != NULL; ++row) {
@@ -47,7 +46,7 @@ void Version2::Begin() {
   stick_.Begin();
   moves_.Begin();
   telemetry_.Begin();
-  colors_.Begin();
+  camera_.Begin();
 }
 
 void Version2::Handle(const FrameHeader& request, const unsigned char* payload, unsigned now) {

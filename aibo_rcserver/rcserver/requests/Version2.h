@@ -3,7 +3,6 @@
 
 #include "protocol/hello.h"
 #include "rcserver/requests/CameraRequests.h"
-#include "rcserver/requests/ColorRequests.h"
 #include "rcserver/requests/Exchange.h"
 #include "rcserver/requests/MoveRequests.h"
 #include "rcserver/requests/Robot.h"
@@ -43,7 +42,7 @@ class Version2 {
   void Measured(unsigned frame);
 
   StickRequests& Stick() { return stick_; }
-  ColorRequests& Colors() { return colors_; }
+  CameraRequests& Camera() { return camera_; }
   SoundRequests& Sound() { return sound_; }
 
  private:
@@ -65,7 +64,7 @@ class Version2 {
   void SwitchMotors() { moves_.SwitchMotors(); }
   void Hold() { moves_.Hold(); }
   void SetCamera() { camera_.SetCamera(); }
-  void DetectColors() { colors_.CarryOut(); }
+  void DetectColors() { camera_.DetectColors(); }
   void SendDatagrams() { camera_.SendDatagrams(); }
   void PlayMotion() { stick_.PlayMotion(); }
   void ListMotions() { stick_.ListMotions(); }
@@ -90,7 +89,6 @@ class Version2 {
   MoveRequests moves_;
   TelemetryRequests telemetry_;
   CameraRequests camera_;
-  ColorRequests colors_;
   SoundRequests sound_;
   char capabilities_[protocol::version2::MAX_HELLO_TEXT_SIZE + 1];
 };

@@ -334,11 +334,11 @@ class Server {
 
   void imageArrives() {
     ++images_;
-    if (session_.Colors().Wants(images_)) {
+    if (session_.Camera().WantsColors(images_)) {
       detectColors();
     }
     PictureOrder order;
-    if (!session_.Camera().ImageArrived(images_, &order)) {
+    if (!session_.Pictures().ImageArrived(images_, &order)) {
       return;
     }
     require(order.quality <= protocol::MAX_JPEG_QUALITY, "a quality is within its range");
@@ -366,7 +366,8 @@ class Server {
     for (std::size_t i = 0; i < plane.size(); i += 1 + images_ % 40) {
       plane[i] = static_cast<unsigned char>(i + images_);
     }
-    session_.Colors().Detected({images_ % 8 == 0 ? nullptr : plane.data(), kWidth, kHeight, kWidth}, images_, now_);
+    session_.Camera().ColorsDetected({images_ % 8 == 0 ? nullptr : plane.data(), kWidth, kHeight, kWidth}, images_,
+                                     now_);
   }
 
   // Handles requests and sends answers until the session wants input.
