@@ -1,7 +1,6 @@
 #include "rcserver/Outbox.h"
 
 const size_t Outbox::MAX_REPLY_SIZE;
-const size_t Outbox::MAX_REFUSAL_SIZE;
 const size_t Outbox::MAX_ENDS_SIZE;
 const size_t Outbox::ROOM;
 const size_t Outbox::REPLIES_CAPACITY;

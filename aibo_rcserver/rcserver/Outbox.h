@@ -74,15 +74,12 @@ class Outbox {
   /// Bytes of the largest message: a list of motions in version 2. (MAX_MESSAGE_SIZE is a macro of the SDK.)
   static const size_t MAX_REPLY_SIZE = protocol::version2::FRAME_HEADER_SIZE + protocol::version2::MAX_FILE_LIST_SIZE;
 
-  static const size_t MAX_REFUSAL_SIZE =
-      protocol::version2::FRAME_HEADER_SIZE + protocol::version2::MAX_ERROR_MESSAGE_SIZE;
-
   /// Bytes of the messages that may precede a reply: the ends of all orders, and the refusal of a motion whose file is
   /// being read.
   static const size_t MAX_ENDS_SIZE =
       OrderBook::MAX_ENDS *
           (protocol::version2::FRAME_HEADER_SIZE + 4 + protocol::MAX_FILE_NAME_SIZE + 1 + OrderBook::MAX_TEXT_SIZE) +
-      MAX_REFUSAL_SIZE;
+      protocol::version2::FRAME_HEADER_SIZE + protocol::version2::MAX_ERROR_MESSAGE_SIZE;
 
   /// Room for a reply and the messages before it.
   static const size_t ROOM = MAX_ENDS_SIZE + MAX_REPLY_SIZE;

@@ -85,7 +85,7 @@ void Version2::PushPowerOff(const char* reason) {
 bool Version2::AskForSign() {
   const bool has_room = exchange_.HasRoom();
   if (has_room) {
-    exchange_.PushWithoutPayload(replyKind(REQUEST_HELLO));
+    exchange_.Push(replyKind(REQUEST_HELLO), NoPayload());
   }
   return has_room;
 }
@@ -159,19 +159,11 @@ bool Version2::SetEar(int identifier, bool draw) {
   return ear != NO_EAR && robot_.lights.SetEar(ear, draw);
 }
 
-void Version2::GoOff(PowerOrder order) {
+void Version2::GoOff() {
   if (exchange_.HasNoPayload()) {
-    robot_.power_order = order;
+    robot_.power_order = exchange_.Request().kind == REQUEST_REBOOT ? POWER_REBOOT : POWER_SHUT_DOWN;
     exchange_.ReplyWithoutPayload();
   }
-}
-
-void Version2::ShutDown() {
-  GoOff(POWER_SHUT_DOWN);
-}
-
-void Version2::Reboot() {
-  GoOff(POWER_REBOOT);
 }
 
 // The rows are in the order in which the hello lists the letters.
@@ -198,7 +190,7 @@ const Version2::Row Version2::ROWS[] = {
     {&DELETE_MOTION, &Version2::DeleteMotion},
     {&SAVE_PICTURE, &Version2::SavePicture},
     {&LIST_STICK_PICTURES, &Version2::HandlePicture},
-    {&SHUT_DOWN, &Version2::ShutDown},
-    {&REBOOT, &Version2::Reboot},
+    {&SHUT_DOWN, &Version2::GoOff},
+    {&REBOOT, &Version2::GoOff},
     {NULL, NULL},
 };

@@ -79,9 +79,7 @@ class Version2 {
   void SetLeds();
   void MoveEars();
   bool SetEar(int identifier, bool draw);
-  void GoOff(PowerOrder order);
-  void ShutDown();
-  void Reboot();
+  void GoOff();
 
   const Robot& robot_;
   Exchange exchange_;
