@@ -72,7 +72,7 @@ RCServer::RCServer()
       power_down_(file_desk_),
       session_(NULL),
       last_picture_(0),
-      signs_(0),
+      signs_(),
       last_attempt_(0),
       strangers_(0),
       last_stranger_(0 - FRAMES_PER_MINUTE) {}
@@ -409,7 +409,8 @@ Connection* RCServer::FindConnection(const void* continuation) {
 
 void RCServer::Admit(Connection* newcomer) {
   client_ = newcomer;
-  signs_ = Signs(Now());
+  const Signs signs = {Now(), Now(), Now(), Now(), false, Now()};
+  signs_ = signs;
   session_->Begin();
   datagrams_.ClientConnected(client_->ClientAddress());
   ServeClient();

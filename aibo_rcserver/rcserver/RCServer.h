@@ -150,14 +150,6 @@ class RCServer : public OObject {
 
   // What has been noticed about the client.
   struct Signs {
-    explicit Signs(longword now)
-        : admitted(now),
-          last_bytes_received(now),
-          last_sign_of_life(now),
-          last_not_over(now),
-          is_announced(false),
-          last_given(now) {}
-
     longword admitted;             ///< frame in which the client was admitted
     longword last_bytes_received;  ///< frame in which bytes last came from it
     longword last_sign_of_life;
