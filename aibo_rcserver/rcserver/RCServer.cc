@@ -574,48 +574,35 @@ bool RCServer::SendOutput() {
   if (client_->IsSending()) {
     return true;
   }
+  bool succeeds = true;
   signs_.last_given = Now();
   if (const PictureDatagrams::KeptPicture* left_over = datagrams_.TakeLeftOver(Now())) {
-    return SendLeftOver(*left_over);
+    succeeds = SendPicture(PictureOrder(), left_over->image, left_over->jpeg, left_over->size);
+  } else if (pictures_.HasPicture() && !SoundGoesFirst()) {
+    const EncodedPicture& picture = pictures_.Picture();
+    succeeds = SendPicture(pictures_.Order(), pictures_.Header(), picture.jpeg, picture.size);
+    pictures_.DropPicture();
+    last_picture_ = Now();
+  } else if (file_.IsThere()) {
+    const FileResult& file = file_.Get();
+    succeeds =
+        SendContent(session_->Stick().EncodeFileHeader(file.size, client_->SendBuffer()), file.content, file.size);
+    file_.Release();
+  } else if (session_->HasOutput()) {
+    succeeds = client_->Send(session_->TakeOutput(client_->SendBuffer()), false);
   }
-  if (pictures_.HasPicture() && !SoundGoesFirst()) {
-    return SendPicture();
-  }
-  if (file_.IsThere()) {
-    return SendFile();
-  }
-  return !session_->HasOutput() || client_->Send(session_->TakeOutput(client_->SendBuffer()), false);
+  return succeeds;
 }
 
-bool RCServer::SendPicture() {
-  const EncodedPicture& picture = pictures_.Picture();
-  const size_t size = PutPicture(pictures_.Order(), pictures_.Header(), picture.jpeg, picture.size);
-  pictures_.DropPicture();
-  last_picture_ = Now();
-  return client_->Send(size, true);
+bool RCServer::SendPicture(const PictureOrder& order, const protocol::version2::ImageHeader& image, const byte* jpeg,
+                           size_t size) {
+  return SendContent(session_->EncodePictureHeader(order, image, size, client_->SendBuffer()), jpeg, size);
 }
 
-// Sends a picture of the stream that the client may not have received by UDP.
-bool RCServer::SendLeftOver(const PictureDatagrams::KeptPicture& picture) {
-  return client_->Send(PutPicture(PictureOrder(), picture.image, picture.jpeg, picture.size), true);
-}
-
-// Puts a picture and its header into the client's send buffer. Returns their size.
-size_t RCServer::PutPicture(const PictureOrder& order, const protocol::version2::ImageHeader& image, const byte* jpeg,
-                            size_t size) {
-  byte* const buffer = client_->SendBuffer();
-  const size_t header_size = session_->EncodePictureHeader(order, image, size, buffer);
-  memcpy(buffer + header_size, jpeg, size);
-  return header_size + size;
-}
-
-bool RCServer::SendFile() {
-  const FileResult& file = file_.Get();
-  const size_t header_size = session_->Stick().EncodeFileHeader(file.size, client_->SendBuffer());
-  const size_t size = header_size + file.size;
-  memcpy(client_->SendBuffer() + header_size, file.content, file.size);
-  file_.Release();
-  return client_->Send(size, true);
+// Sends the header in the client's send buffer and what follows it.
+bool RCServer::SendContent(size_t header_size, const byte* content, size_t size) {
+  memcpy(client_->SendBuffer() + header_size, content, size);
+  return client_->Send(header_size + size, true);
 }
 
 void RCServer::OfferImage(OFbkImageVectorData* image_vector) {
@@ -626,7 +613,6 @@ void RCServer::OfferImage(OFbkImageVectorData* image_vector) {
   if (const char* problem = pictures_.Offer(image_vector, order, body_->Camera().Settings())) {
     OSYSLOG1((osyslogERROR, "RCServer: %s", problem));
     DropClient("there is no picture for it", true);
-    return;
   }
 }
 

@@ -136,11 +136,9 @@ class RCServer : public OObject {
   void ForgetClient();
   void ServeClient();
   bool SendOutput();
-  bool SendPicture();
-  bool SendLeftOver(const PictureDatagrams::KeptPicture& picture);
-  size_t PutPicture(const PictureOrder& order, const protocol::version2::ImageHeader& image, const byte* jpeg,
-                    size_t size);
-  bool SendFile();
+  bool SendPicture(const PictureOrder& order, const protocol::version2::ImageHeader& image, const byte* jpeg,
+                   size_t size);
+  bool SendContent(size_t header_size, const byte* content, size_t size);
   void OfferImage(OFbkImageVectorData* image_vector);
   bool FindOrder(PictureOrder* order);
   bool IsSendingPicture() const;
