@@ -227,9 +227,7 @@ void RCServer::ListenCont(ANTENVMSG msg) {
   connection->Accepted(*answer);
   if (!settings_.allowed_addresses.Allow(connection->ClientAddress())) {
     TurnAwayByAddress(connection);
-  } else if (power_down_.IsOrdered()) {
-    TurnAway(connection, "the robot goes off");
-  } else if (client_ == NULL) {
+  } else if (client_ == NULL || power_down_.IsOrdered()) {
     Admit(connection);
   } else if (connection->Receive()) {
     newcomer_ = connection;
@@ -407,7 +405,13 @@ Connection* RCServer::FindConnection(const void* continuation) {
   return NULL;
 }
 
+// Makes the newcomer the client, unless the robot goes off.
 void RCServer::Admit(Connection* newcomer) {
+  if (power_down_.IsOrdered()) {
+    TurnAway(newcomer, "the robot goes off");
+    return;
+  }
+  newcomer_ = newcomer == newcomer_ ? NULL : newcomer_;
   client_ = newcomer;
   const Signs signs = {Now(), Now(), Now(), Now(), false, Now()};
   signs_ = signs;
@@ -442,7 +446,7 @@ void RCServer::CheckNewcomer() {
     return;
   }
   if (client_ == NULL) {
-    AdmitNewcomer();
+    Admit(newcomer_);
     return;
   }
   const bool is_silent = IsClientSilent();
@@ -458,18 +462,8 @@ void RCServer::CheckNewcomer() {
     ServeClient();
   } else if (is_silent || Now() - quiet_since_ >= SIGN_FRAMES) {
     DropClient(is_silent ? "it was silent and another client came" : "it has come back over a new connection", true);
-    AdmitNewcomer();
+    Admit(newcomer_);
   }
-}
-
-void RCServer::AdmitNewcomer() {
-  if (power_down_.IsOrdered()) {
-    TurnAway(newcomer_, "the robot goes off");
-    return;
-  }
-  Connection* const newcomer = newcomer_;
-  newcomer_ = NULL;
-  Admit(newcomer);
 }
 
 void RCServer::TurnAwayByAddress(Connection* newcomer) {

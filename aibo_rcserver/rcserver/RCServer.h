@@ -126,7 +126,6 @@ class RCServer : public OObject {
   bool MayBeClientAgain(const Connection& newcomer) const;
   void NewcomerReceived(const TCPEndpointReceiveMsg& answer);
   void CheckNewcomer();
-  void AdmitNewcomer();
   void TurnAwayByAddress(Connection* newcomer);
   void TurnAwayWhileBusy(Connection* newcomer);
   void CloseNewcomer(Connection* newcomer, bool abort);
