@@ -69,30 +69,21 @@ void PowerDown::Note(longword now) {
   }
 }
 
-void PowerDown::CarryOut(longword now) {
-  Note(now);
-  if (order_ == POWER_LIE_DOWN && body_->Motors().AreOn()) {
-    LieDown(now);
-  } else if (IsOrdered() && !MustWaitForFiles(now)) {
-    SwitchOff();
-  }
-}
-
 // The motors go off when the robot has lain down. No client commands the robot any more, so it has lain down as soon as
 // it stops moving.
-void PowerDown::Continue(longword now) {
-  if (!IsOrdered()) {
-    return;
+void PowerDown::CarryOut(longword now) {
+  Note(now);
+  if (order_ == POWER_LIE_DOWN && !lies_down_ && body_->Motors().AreOn()) {
+    LieDown(now);
   }
-  if (order_ == POWER_LIE_DOWN && body_->Joints().Walking().IsActive()) {
-    if (now - lies_down_since_ < LYING_DOWN_FRAMES) {
-      return;
-    }
+  const bool is_lying_down = order_ == POWER_LIE_DOWN && body_->Joints().Walking().IsActive();
+  const bool takes_too_long = is_lying_down && now - lies_down_since_ >= LYING_DOWN_FRAMES;
+  if (takes_too_long) {
     OSYSLOG1((osyslogERROR, "RCServer: the robot does not lie down: it takes longer than 10 s"));
-  } else if (MustWaitForFiles(now)) {
-    return;
   }
-  SwitchOff();
+  if (IsOrdered() && (takes_too_long || (!is_lying_down && !MustWaitForFiles(now)))) {
+    SwitchOff();
+  }
 }
 
 bool PowerDown::MustWaitForFiles(longword now) const {
@@ -103,6 +94,7 @@ void PowerDown::LieDown(longword now) {
   Walker& walker = body_->Joints().Walking();
   const char* const problem = walker.CanWalk() ? walker.Problem(protocol::version2::POSTURE_REST)
                                                : "this kind of robot has no known way to lie down";
+  lies_down_ = true;
   lies_down_since_ = now;
   if (problem == NULL) {
     body_->Joints().Take(protocol::version2::POSTURE_REST);
@@ -120,5 +112,6 @@ void PowerDown::SwitchOff() {
   if (!body_->SwitchOff(reboots)) {
     order_ = POWER_STAYS_ON;
     is_noted_ = false;
+    lies_down_ = false;
   }
 }

@@ -36,6 +36,7 @@ class PowerDown {
         order_(POWER_STAYS_ON),
         is_noted_(false),
         noted_since_(0),
+        lies_down_(false),
         lies_down_since_(0) {}
 
   /// Call this once, before all other functions except Order().
@@ -64,12 +65,9 @@ class PowerDown {
   /// True if a client that waits for the memory stick must be dropped.
   bool IsOverdue(longword now) const { return is_noted_ && now - noted_since_ >= FILE_FRAMES; }
 
-  /// Call this when there is no client any more: the robot lies down or goes off, if this has been ordered.
+  /// Call this when there is no client any more, and then in each frame. If this has been ordered, the robot lies down
+  /// and goes off: when it has lain down and the memory stick's job is done, or when this takes too long.
   void CarryOut(longword now);
-
-  /// Call this in each frame without a client. The robot goes off when it has lain down and the memory stick's job is
-  /// done, or when this takes too long.
-  void Continue(longword now);
 
  private:
   bool MustWaitForFiles(longword now) const;
@@ -85,6 +83,7 @@ class PowerDown {
   PowerOrder order_;
   bool is_noted_;
   longword noted_since_;
+  bool lies_down_;  ///< the robot was told to lie down
   longword lies_down_since_;
 };
 

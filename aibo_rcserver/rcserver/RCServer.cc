@@ -353,7 +353,7 @@ void RCServer::PassTime(longword frame) {
   if (client_ != NULL) {
     CheckClient();
   } else {
-    power_down_.Continue(Now());
+    power_down_.CarryOut(Now());
   }
 }
 
