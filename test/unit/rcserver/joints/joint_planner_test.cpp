@@ -350,7 +350,7 @@ TEST(JointPath, ChangesItsSpeedByItsAccelerationAtMost) {
       {"returns to where it cannot stop", 30, 10, 960, 3, [](JointPath& m) { m.Aim(70); }, {20, 10, 0, -10, -10}},
       {"stops", 35, 10, 1170, 4, [](JointPath& m) { m.Stop(1); }, {25, 15, 5}},
       {"stops faster than its low acceleration", 35, 1, 10000, 40, [](JointPath& m) { m.Stop(10); }, {25, 15, 5}},
-      {"brakes to a lower limit", 30, 10, 105, 3, [](JointPath& m) { m.LimitStep(5); }, {20, 10, 5, 5, 5}},
+      {"brakes to a lower limit", 30, 10, 120, 3, [](JointPath& m) { m.LimitStep(5); }, {20, 10, 5, 5, 5, 5, 5, 5}},
       {"a lower acceleration waits", 30, 10, 150, 3, [](JointPath& m) { m.LimitAcceleration(1); }, {30, 30, 20, 10}},
       {"takes a higher acceleration at the next target",
        30,
