@@ -3,51 +3,32 @@
 #include <OPENR/OFbkImage.h>
 #include <string.h>
 
-#include "picture_encoder/CameraImage.h"
-
 namespace {
 
-// Finds the bands of a layer; false if one is missing.
-bool FindPlanes(OFbkImageVectorData* image_vector, OFbkImageLayer layer, CameraImage* image) {
-  OFbkImageInfo* info = image_vector->GetInfo(layer);
-  byte* data = image_vector->GetData(layer);
-  OFbkImage y(info, data, ofbkimageBAND_Y);
-  OFbkImage cr(info, data, ofbkimageBAND_Cr);
-  OFbkImage cb(info, data, ofbkimageBAND_Cb);
-  if (!y.IsValid() || !cr.IsValid() || !cb.IsValid()) {
-    return false;
+const OFbkImageBand COLOR_BANDS[] = {ofbkimageBAND_Y, ofbkimageBAND_Cr, ofbkimageBAND_Cb};
+const OFbkImageBand DETAIL_BANDS[] = {ofbkimageBAND_Y_LH, ofbkimageBAND_Y_HL, ofbkimageBAND_Y_HH};
+
+// Finds three bands of a layer; false if one is missing.
+bool FindBands(OFbkImageVectorData* image_vector, OFbkImageLayer layer, const OFbkImageBand* bands,
+               const unsigned char** pixels) {
+  for (int i = 0; i < 3; ++i) {
+    OFbkImage band(image_vector->GetInfo(layer), image_vector->GetData(layer), bands[i]);
+    if (!band.IsValid()) {
+      return false;
+    }
+    pixels[i] = band.Pointer();
   }
-  image->y = y.Pointer();
-  image->cr = cr.Pointer();
-  image->cb = cb.Pointer();
-  image->width = static_cast<size_t>(y.Width());
-  image->height = static_cast<size_t>(y.Height());
-  image->stride = static_cast<size_t>(y.Width() + y.Skip());
   return true;
 }
 
-// Finds the bands of fine detail that belong to layer H; false if the camera has none.
-bool FindDetail(OFbkImageVectorData* image_vector, DetailBands* detail) {
-  OFbkImageInfo* info = image_vector->GetInfo(ofbkimageLAYER_H);
-  byte* data = image_vector->GetData(ofbkimageLAYER_H);
-  OFbkImage lh(info, data, ofbkimageBAND_Y_LH);
-  OFbkImage hl(info, data, ofbkimageBAND_Y_HL);
-  OFbkImage hh(info, data, ofbkimageBAND_Y_HH);
-  if (!lh.IsValid() || !hl.IsValid() || !hh.IsValid()) {
-    return false;
-  }
-  detail->lh = lh.Pointer();
-  detail->hl = hl.Pointer();
-  detail->hh = hh.Pointer();
-  return true;
-}
-
-// Copies the rows of several planes alternately.
-void CopyRows(const CameraImage& image, const unsigned char* const* planes, size_t count, unsigned char* out) {
-  for (size_t row = 0; row < image.height; ++row) {
+// Copies the rows of several planes of this size alternately.
+void CopyRows(OFbkImage& size, const unsigned char* const* planes, size_t count, unsigned char* out) {
+  const size_t width = static_cast<size_t>(size.Width());
+  const size_t stride = width + static_cast<size_t>(size.Skip());
+  for (size_t row = 0; row < static_cast<size_t>(size.Height()); ++row) {
     for (size_t plane = 0; plane < count; ++plane) {
-      memcpy(out, planes[plane] + row * image.stride, image.width);
-      out += image.width;
+      memcpy(out, planes[plane] + row * stride, width);
+      out += width;
     }
   }
 }
@@ -58,9 +39,7 @@ PictureTaker::PictureTaker()
     : image_count_(0), is_waiting_(false), waiting_order_(), waiting_header_(), ticket_(0), order_(), header_() {}
 
 void PictureTaker::CountImage(OFbkImageVectorData* image) {
-  OFbkImageInfo* info = image->GetInfo(ofbkimageLAYER_H);
-  byte* data = image->GetData(ofbkimageLAYER_H);
-  OFbkImage y(info, data, ofbkimageBAND_Y);
+  OFbkImage y(image->GetInfo(ofbkimageLAYER_H), image->GetData(ofbkimageLAYER_H), ofbkimageBAND_Y);
   if (y.IsValid()) {
     image_count_ += static_cast<unsigned short>(y.FieldCounter() - image_count_);
   }
@@ -79,29 +58,30 @@ const char* PictureTaker::Offer(OFbkImageVectorData* image, const PictureOrder& 
   }
   const bool is_double = order.layer == protocol::version2::LAYER_DOUBLE;
   const OFbkImageLayer source = is_double ? ofbkimageLAYER_H : static_cast<OFbkImageLayer>(order.layer);
-  CameraImage layer;
-  DetailBands detail = {NULL, NULL, NULL};
-  if (!FindPlanes(image, source, &layer)) {
+  const unsigned char* planes[6];
+  if (!FindBands(image, source, COLOR_BANDS, planes)) {
     return "the camera image has no Y, Cr and Cb bands";
   }
-  if (layer.width > MAX_IMAGE_WIDTH || layer.height > MAX_IMAGE_HEIGHT) {
+  OFbkImage y(image->GetInfo(source), image->GetData(source), ofbkimageBAND_Y);
+  const size_t width = static_cast<size_t>(y.Width());
+  const size_t height = static_cast<size_t>(y.Height());
+  if (width > MAX_IMAGE_WIDTH || height > MAX_IMAGE_HEIGHT) {
     return "the camera image is larger than an ERS-7's";
   }
-  if (is_double && !FindDetail(image, &detail)) {
+  if (is_double && !FindBands(image, ofbkimageLAYER_H, DETAIL_BANDS, planes + 3)) {
     return "the camera image has no bands for double resolution";
   }
   PictureJob* const job = jobs_.Memory();
   job->quality = order.quality;
-  job->width = layer.width;
-  job->height = layer.height;
+  job->width = width;
+  job->height = height;
   job->is_double = is_double;
-  const unsigned char* const planes[] = {layer.y, layer.cr, layer.cb, detail.lh, detail.hl, detail.hh};
-  CopyRows(layer, planes, is_double ? 6 : 3, job->pixels);
+  CopyRows(y, planes, is_double ? 6 : 3, job->pixels);
   const size_t scale = is_double ? 2 : 1;
   const protocol::version2::ImageHeader header = {image_count_,
                                                   image->GetInfo(source)->frameNumber,
-                                                  static_cast<unsigned short>(scale * layer.width),
-                                                  static_cast<unsigned short>(scale * layer.height),
+                                                  static_cast<unsigned short>(scale * width),
+                                                  static_cast<unsigned short>(scale * height),
                                                   order.quality,
                                                   static_cast<protocol::version2::Layer>(order.layer),
                                                   settings};
