@@ -42,8 +42,8 @@ class JointControl {
   MotionPlayer& Motions() { return motions_; }
   Walker& Walking() { return walker_; }
 
-  // Clients' orders. Those that move or hold a leg make the client let go before the robot walks (OrderBook).
-  // @param number of the request of version 2, otherwise 0
+  // Clients' orders. Those that move or hold a leg make the client let go before the robot walks (OrderBook). `number`
+  // is that of the request of version 2, otherwise 0.
 
   /// Carries out a command with JointPlanner::Go(). Motions, walks and postures that move one of these joints end. A
   /// command with a number is an order, which JointOrders ends.
