@@ -63,6 +63,7 @@ class Exchange {
     Send(kind, 0, content);
   }
 
+  void PushWithoutPayload(char kind) { Send(kind, 0, message_, 0); }
   void PushError(unsigned short code, const char* text) { SendError(0, code, text); }
   void PushEnd(unsigned char what, unsigned char how, unsigned short order, const char* name, const char* reason);
   void PushEnds();
