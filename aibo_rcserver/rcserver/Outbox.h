@@ -12,55 +12,37 @@
 #include "rcserver/camera/ColorCounter.h"
 #include "rcserver/joints/OrderBook.h"
 
-/// A message that is replaced by any newer one of its kind.
-template <size_t LARGEST>
-class NewestMessage {
+/// Messages in order. A message that does not fit is dropped.
+template <size_t CAPACITY>
+class MessageQueue {
  public:
-  NewestMessage() : size_(0) {}
+  MessageQueue() : size_(0) {}
 
+  void Add(const unsigned char* message, size_t size) {
+    if (size_ + size <= CAPACITY) {
+      memcpy(bytes_ + size_, message, size);
+      size_ += size;
+    }
+  }
+
+  /// Adds a message in place of all that wait.
   void Set(const unsigned char* message, size_t size) {
-    memcpy(bytes_, message, size);
-    size_ = size;
+    Drop();
+    Add(message, size);
   }
 
   void Drop() { size_ = 0; }
+  const unsigned char* Bytes() const { return bytes_; }
+  size_t Size() const { return size_; }
 
-  bool IsEmpty() const { return size_ == 0; }
-
-  /// Takes the message out.
-  /// @param out room for the message
-  /// @return the number of bytes
-  size_t Take(unsigned char* out) {
-    const size_t size = size_;
+  /// Takes out the first bytes.
+  /// @return their number
+  size_t Take(size_t size, unsigned char* out) {
     memcpy(out, bytes_, size);
-    size_ = 0;
+    size_ -= size;
+    memmove(bytes_, bytes_ + size, size_);
     return size;
   }
-
- private:
-  unsigned char bytes_[LARGEST];
-  size_t size_;
-};
-
-/// Sound messages in order. A message that does not fit is dropped.
-class SoundQueue {
- public:
-  /// Most bytes that can wait: half a second of two channels at 16 kHz.
-  static const size_t CAPACITY = 36 * 1024;
-
-  /// Bytes that are sent at once, unless a single message is larger. Other messages are sent between the portions.
-  static const size_t PORTION = 4 * 1024;
-
-  SoundQueue() : size_(0) {}
-
-  void Add(const unsigned char* message, size_t size);
-  void Drop() { size_ = 0; }
-  bool IsEmpty() const { return size_ == 0; }
-
-  /// Takes out the first messages.
-  /// @param[out] out room for PORTION bytes, or the largest message
-  /// @return the number of bytes
-  size_t Take(unsigned char* out);
 
  private:
   unsigned char bytes_[CAPACITY];
@@ -96,30 +78,35 @@ class Outbox {
   static const size_t MAX_SOUND_SIZE =
       protocol::version2::FRAME_HEADER_SIZE + protocol::version2::HEARD_SOUND_HEADER_SIZE + 4 * Microphone::MAX_SAMPLES;
 
-  static const size_t CAPACITY =
-      REPLIES_CAPACITY + MAX_TELEMETRY_SIZE + MAX_COLORS_SIZE + MAX_SOUND_SIZE + SoundQueue::PORTION;
+  /// Room for sound: half a second of two channels at 16 kHz.
+  static const size_t SOUND_CAPACITY = 36 * 1024;
 
-  Outbox() : replies_size_(0), reserved_(0) {}
+  /// Bytes of sound that are sent at once, unless a single message is larger. Other messages are sent between the
+  /// portions.
+  static const size_t SOUND_PORTION = 4 * 1024;
+
+  static const size_t CAPACITY =
+      REPLIES_CAPACITY + MAX_TELEMETRY_SIZE + MAX_COLORS_SIZE + MAX_SOUND_SIZE + SOUND_PORTION;
+
+  Outbox() : reserved_(0) {}
 
   void Clear();
 
   /// True if there is ROOM. Ask this before a request is handled, and before anything is pushed: the largest push fits.
-  bool HasRoom() const { return replies_size_ + reserved_ + ROOM <= sizeof(replies_); }
+  bool HasRoom() const { return replies_.Size() + reserved_ + ROOM <= REPLIES_CAPACITY; }
 
   /// Reserves ROOM for one later reply, or releases it.
   /// @param reserved true only if HasRoom(), or if room is reserved already
   void Reserve(bool reserved) { reserved_ = reserved ? ROOM : 0; }
 
   /// Adds a message. Call it only if HasRoom(), or for the reply that room was reserved for.
-  void Add(const unsigned char* message, size_t size);
+  void Add(const unsigned char* message, size_t size) { replies_.Add(message, size); }
 
-  NewestMessage<MAX_TELEMETRY_SIZE>& Telemetry() { return telemetry_; }
-  NewestMessage<MAX_COLORS_SIZE>& Colors() { return colors_; }
-
-  SoundQueue& Sound() { return sound_; }
-  bool HasSound() const { return !sound_.IsEmpty(); }
-
-  bool IsEmpty() const { return replies_size_ == 0 && telemetry_.IsEmpty() && colors_.IsEmpty() && sound_.IsEmpty(); }
+  MessageQueue<MAX_TELEMETRY_SIZE>& Telemetry() { return telemetry_; }
+  MessageQueue<MAX_COLORS_SIZE>& Colors() { return colors_; }
+  MessageQueue<SOUND_CAPACITY>& Sound() { return sound_; }
+  bool HasSound() const { return sound_.Size() > 0; }
+  bool IsEmpty() const { return replies_.Size() + telemetry_.Size() + colors_.Size() + sound_.Size() == 0; }
 
   /// Takes out all waiting messages, but only one portion of the sound. Reserved room stays reserved.
   /// @param[out] out room for CAPACITY bytes
@@ -127,12 +114,13 @@ class Outbox {
   size_t Take(unsigned char* out);
 
  private:
-  unsigned char replies_[REPLIES_CAPACITY];
-  size_t replies_size_;
+  size_t SizeOfSoundPortion() const;
+
+  MessageQueue<REPLIES_CAPACITY> replies_;
   size_t reserved_;
-  NewestMessage<MAX_TELEMETRY_SIZE> telemetry_;
-  NewestMessage<MAX_COLORS_SIZE> colors_;
-  SoundQueue sound_;
+  MessageQueue<MAX_TELEMETRY_SIZE> telemetry_;
+  MessageQueue<MAX_COLORS_SIZE> colors_;
+  MessageQueue<SOUND_CAPACITY> sound_;
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_OUTBOX_H
