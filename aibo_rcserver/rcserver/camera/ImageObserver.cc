@@ -27,14 +27,6 @@ bool ImageObserver::RequestPicture(const PictureOrder& order) {
   return true;
 }
 
-void ImageObserver::ToggleStream(const PictureOrder& order) {
-  if (state_ == IOS_CONTINUOUS) {
-    StopStream();
-  } else {
-    StartStream(order, 1);
-  }
-}
-
 void ImageObserver::StartStream(const PictureOrder& order, unsigned short every_nth_image) {
   stream_order_ = order;
   stream_order_.is_of_stream = true;

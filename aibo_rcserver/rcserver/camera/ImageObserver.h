@@ -44,14 +44,13 @@ class ImageObserver {
   /// @return false if MAX_OWED pictures are owed already, so that this one is not added
   bool RequestPicture(const PictureOrder& order);
 
-  /// `W` of version 1: starts a stream of every image, or stops the stream.
-  void ToggleStream(const PictureOrder& order);
+  bool IsStreaming() const { return state_ == IOS_CONTINUOUS; }
 
-  /// `W` of version 2: starts a stream, or changes the running one.
+  /// `W`: starts a stream, or changes the running one.
   /// @param every_nth_image 1 for every image of the camera; not 0
   void StartStream(const PictureOrder& order, unsigned short every_nth_image);
 
-  /// `W` of version 2: stops the stream, if there is one.
+  /// `W`: stops the stream, if there is one.
   void StopStream();
 
   /// Call this when a camera image has come and could be sent. It leaves IOS_STOPSEND, which lasts for one image.

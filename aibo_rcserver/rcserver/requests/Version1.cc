@@ -60,7 +60,7 @@ bool Version1::Execute() {
     case REQUEST_PICTURE:
       return camera_.RequestPicture(order);
     case REQUEST_STREAM_TOGGLE:
-      camera_.ToggleStream(order);
+      camera_.IsStreaming() ? camera_.StopStream() : camera_.StartStream(order, 1);
       return true;
     case REQUEST_JOINT:
       return MoveOrReadJoints();
