@@ -46,7 +46,6 @@ size_t sizeOf(char letter) {
 
 const size_t RequestReader::MAX_APPENDED;
 const size_t RequestReader::MAX_WAITING;
-const size_t RequestReader::MAX_REQUESTS;
 
 RequestReader::RequestReader() : waiting_size_(0), content_left_(0) {}
 

@@ -45,9 +45,6 @@ class RequestReader {
 
   static const size_t MAX_WAITING = MAX_APPENDED + FILE_REQUEST_SIZE;
 
-  /// The most requests that next() can find after one append(). The shortest has two bytes.
-  static const size_t MAX_REQUESTS = MAX_WAITING / BASIC_COMMAND_SIZE;
-
   RequestReader();
 
   /// True if a version 1 request can begin with this letter.

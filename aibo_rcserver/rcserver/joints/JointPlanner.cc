@@ -119,10 +119,6 @@ void JointPlanner::NextFrame() {
   ArriveTogether();
 }
 
-int JointPlanner::Speed(int joint) const {
-  return paths_[joint].Step() * SPEED_UNIT;
-}
-
 // Adapts the aims to limits and couplings. A follower that is in the way of its leader gets an aim, too.
 void JointPlanner::FitAims() {
   for (int i = 0; i < robot_.number_of_joints; ++i) {

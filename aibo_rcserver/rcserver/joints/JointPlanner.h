@@ -86,9 +86,6 @@ class JointPlanner {
   int Position(int joint) const { return paths_[joint].Position(); }
   int Target(int joint) const { return paths_[joint].Target(); }
 
-  /// The speed of the last frame, in microradian/s.
-  int Speed(int joint) const;
-
   /// Frames until the joint is at its target, as planned now; 0 if it is there.
   int FramesLeft(int joint) const { return paths_[joint].FramesLeft(); }
 

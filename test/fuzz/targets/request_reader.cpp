@@ -51,7 +51,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Bytes piece = input.takePiece();
     piece.resize(std::min(piece.size(), RequestReader::MAX_APPENDED));
     require(reader.append(piece.data(), piece.size()) == piece.size(), "there is room for the bytes");
-    require(takeRequests(reader) <= RequestReader::MAX_REQUESTS, "there are no more requests than fit");
+    require(takeRequests(reader) <= RequestReader::MAX_WAITING / protocol::BASIC_COMMAND_SIZE,
+            "there are no more requests than fit");
   }
   return 0;
 }

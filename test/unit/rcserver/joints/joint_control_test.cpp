@@ -43,7 +43,7 @@ TEST(JointControl, JointsThatHoldBrakeWithTheRobotsOwnAcceleration) {
     joints.NextFrame();  // a lower one is in force when the joint stands
     protocol::version2::JointTargets target = {0, 1, {{joints.Identifier(pan), 1000000}}};
     joints.SetTargets(&target);
-    while (joints.Planner().Speed(pan) < 300000) {
+    for (int frame = 0; frame < 125; ++frame) {  // until it turns at 0.3 rad/s
       joints.NextFrame();
     }
     const int begin = joints.Planner().Position(pan);

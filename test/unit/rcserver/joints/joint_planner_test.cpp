@@ -185,7 +185,6 @@ class Inspector {
       EXPECT_TRUE(brakes || std::abs(step) * kFramesPerSecond <= planner_.SpeedLimit(i)) << step;
       const int highest = robot_model::defaultAcceleration(ers7().joints[i]) * acceleration_;
       EXPECT_LE(std::abs(step - steps_[index]), highest / (kFramesPerSecond * kFramesPerSecond));
-      EXPECT_EQ(planner_.Speed(i), step * kFramesPerSecond);
       steps_[index] = step;
     }
   }
