@@ -141,40 +141,34 @@ void ConnectionLoop::connectAndServe() {
 void ConnectionLoop::beginSession() {
   connection_.emplace(ConnectionContext{address_, options_.read_timeout, notifier_, counters_, counters_.connections},
                       connected_);
-  if (options_.protocol_version == 1) {
-    beginVersion1(Version1Session::VersionAnswer::kNotAsked);
-    return;
+  Session::Bytes bytes;
+  VersionAnswer answer = VersionAnswer::kNotAsked;
+  if (options_.protocol_version != 1) {
+    bytes = askForVersion2();
+    answer = takeVersionAnswer(&bytes);
   }
-  const VersionNegotiation negotiation = negotiate();
-  switch (negotiation.result()) {
-    case VersionNegotiation::Result::kVersion2:
-      session_ = std::make_unique<Version2Session>(*connection_, connected_);
-      break;
-    case VersionNegotiation::Result::kVersion1:
-      beginVersion1(Version1Session::VersionAnswer::kRefused);
-      break;
-    default:
-      beginVersion1(Version1Session::VersionAnswer::kPending);
+  if (answer == VersionAnswer::kVersion2) {
+    session_ = std::make_unique<Version2Session>(*connection_, connected_);
+  } else {
+    session_ = std::make_unique<Version1Session>(*connection_, habits_, answer, connected_);
   }
-  counters_.bytes_received += negotiation.rest().size();
-  session_->bytesArrived(negotiation.rest().data(), negotiation.rest().size(), steady_clock::now());
+  session_->bytesArrived(bytes.data(), bytes.size(), steady_clock::now());
 }
 
-VersionNegotiation ConnectionLoop::negotiate() {
-  send(VersionNegotiation::request());
-  VersionNegotiation negotiation(steady_clock::now());
-  while (negotiation.result() == VersionNegotiation::Result::kOpen) {
-    const bool readable = transport_->wait(negotiation.deadline()).connection;
-    const std::size_t size = readable ? transport_->receive(buffer_.data(), buffer_.size()) : 0;
+/// @return what has come: the answer, if there is one, and perhaps more
+Session::Bytes ConnectionLoop::askForVersion2() {
+  const protocol::BasicGetCommand request = protocol::version2::versionRequest();
+  send(version1Command(request.command, request.identifier));
+  const TimePoint deadline = steady_clock::now() + kVersionPatience;
+  Session::Bytes bytes;
+  while (bytes.size() < protocol::VALUE_REPLY_SIZE && steady_clock::now() < deadline) {
+    const bool is_readable = transport_->wait(deadline).connection;
+    const std::size_t size = is_readable ? transport_->receive(buffer_.data(), buffer_.size()) : 0;
+    bytes.insert(bytes.end(), buffer_.begin(), buffer_.begin() + size);
     heard_ = heard_ || size > 0;
-    negotiation.bytesArrived(buffer_.data(), size);
-    negotiation.checkDeadline(steady_clock::now());
+    counters_.bytes_received += size;
   }
-  return negotiation;
-}
-
-void ConnectionLoop::beginVersion1(Version1Session::VersionAnswer answer) {
-  session_ = std::make_unique<Version1Session>(*connection_, habits_, answer, connected_);
+  return bytes;
 }
 
 void ConnectionLoop::pauseUntil(TimePoint end) {

@@ -24,7 +24,6 @@
 #include "client/session.h"
 #include "client/tcp_transport.h"
 #include "client/version1_session.h"
-#include "client/version_negotiation.h"
 
 namespace aibo_client {
 
@@ -91,8 +90,7 @@ class ConnectionLoop {
   void run();
   void connectAndServe();
   void beginSession();
-  VersionNegotiation negotiate();
-  void beginVersion1(Version1Session::VersionAnswer answer);
+  Session::Bytes askForVersion2();
   void pauseUntil(TimePoint end);
   void talk();
   void send(const Session::Bytes& bytes) { transport_->send(bytes.data(), bytes.size()); }

@@ -57,6 +57,18 @@ std::string explain(const Call& call, int code) {
 
 }  // namespace
 
+VersionAnswer takeVersionAnswer(Call::Bytes* bytes) {
+  if (bytes->size() < protocol::VALUE_REPLY_SIZE) {
+    return VersionAnswer::kNone;
+  }
+  const protocol::ValueReply reply = protocol::decodeValueReply(bytes->data());
+  if (reply.letter != version2::versionReply().letter && reply.letter != protocol::REPLY_ERROR) {
+    return VersionAnswer::kNone;
+  }
+  bytes->erase(bytes->begin(), bytes->begin() + protocol::VALUE_REPLY_SIZE);
+  return version2::agreesToVersion2(reply) ? VersionAnswer::kVersion2 : VersionAnswer::kVersion1;
+}
+
 Call::Bytes version1Command(char letter, int identifier) {
   protocol::BasicGetCommand command;
   command.command = letter;

@@ -3,6 +3,7 @@
 #ifndef AIBO_DRIVER_CLIENT_VERSION1_REQUESTS_H
 #define AIBO_DRIVER_CLIENT_VERSION1_REQUESTS_H
 
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,23 @@
 
 namespace aibo_client {
 
-/// A request for a picture, for the stream, or to read a value.
+/// If a server has not answered `X`, the request for version 2, after this time, it speaks version 1
+/// (docs/protocol.md).
+constexpr std::chrono::milliseconds kVersionPatience{500};
+
+/// What a server has answered to `X`.
+enum class VersionAnswer {
+  kNotAsked,
+  kNone,      ///< nothing yet; an answer may still come
+  kVersion1,  ///< the server has refused version 2
+  kVersion2
+};
+
+/// Takes the answer to `X` out of what has come.
+/// @param[in,out] bytes what has come since then
+VersionAnswer takeVersionAnswer(Call::Bytes* bytes);
+
+/// A request for a picture, for the stream, for version 2, or to read a value.
 Call::Bytes version1Command(char letter, int identifier);
 
 /// A request to set a value.

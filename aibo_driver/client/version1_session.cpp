@@ -5,8 +5,6 @@
 
 #include "client/fault.h"
 #include "client/units.h"
-#include "client/version1_requests.h"
-#include "client/version_negotiation.h"
 #include "protocol/units.h"
 #include "protocol/version2.h"
 #include "robot_model/robot_model.h"
@@ -80,9 +78,9 @@ Version1Session::Version1Session(Connection& connection, ServerHabits& habits, V
                                  TimePoint connected)
     : connection_(connection),
       habits_(habits),
-      is_version_answer_pending_(answer == VersionAnswer::kPending),
+      is_version_answer_pending_(answer == VersionAnswer::kNone),
       poll_(connected),
-      ready_(answer == VersionAnswer::kRefused) {
+      ready_(answer == VersionAnswer::kVersion1) {
   for (const auto& unanswered : habits_.unanswered_polls) {
     if (unanswered.second >= ServerHabits::kUnansweredPollsLimit) {
       poll_.dropAll(unanswered.first);
@@ -280,8 +278,7 @@ void Version1Session::onValueReply() {
   const protocol::ValueReply reply = parser_.value();
   const bool is_version_answer = std::exchange(is_version_answer_pending_, false);
   if (is_version_answer && protocol::version2::agreesToVersion2(reply)) {
-    throw Fault::unanswered(connection_.context.address, "the request for version 2 of the protocol",
-                            VersionNegotiation::kPatience);
+    throw Fault::unanswered(connection_.context.address, "the request for version 2 of the protocol", kVersionPatience);
   }
   ready_ = true;
   const bool error = reply.letter == protocol::REPLY_ERROR;

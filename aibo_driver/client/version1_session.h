@@ -12,6 +12,7 @@
 #include "client/reply_parser.h"
 #include "client/session.h"
 #include "client/value_poll.h"
+#include "client/version1_requests.h"
 #include "protocol/version1.h"
 
 namespace aibo_client {
@@ -34,9 +35,8 @@ struct ServerHabits {
 class Version1Session final : public Session {
  public:
   using TimePoint = Session::TimePoint;
-  /// Whether the server was asked for version 2 of the protocol, and what it answered.
-  enum class VersionAnswer { kNotAsked, kRefused, kPending };
 
+  /// @param answer not kVersion2
   Version1Session(Connection& connection, ServerHabits& habits, VersionAnswer answer, TimePoint connected);
 
   int protocolVersion() const override { return 1; }

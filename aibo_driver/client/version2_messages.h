@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "aibo_client/status.h"
+#include "aibo_client/telemetry.h"
 #include "client/command_outbox.h"
 #include "client/session.h"
 #include "protocol/color_requests.h"

@@ -12,7 +12,6 @@
 #include "client/version1_requests.h"
 #include "client/version1_session.h"
 #include "client/version2_session.h"
-#include "client/version_negotiation.h"
 #include "fuzz_input.h"
 #include "support/calls.h"
 
@@ -62,7 +61,7 @@ class Client {
   void begin() {
     switch (input_.takeByte() % 3) {
       case 0:
-        beginVersion1(Version1Session::VersionAnswer::kNotAsked);
+        beginVersion1(VersionAnswer::kNotAsked);
         break;
       case 1:
         session_ = std::make_unique<Version2Session>(connection_, now_);
@@ -72,29 +71,21 @@ class Client {
     }
   }
 
-  void beginVersion1(Version1Session::VersionAnswer answer) {
+  void beginVersion1(VersionAnswer answer) {
     session_ = std::make_unique<Version1Session>(connection_, habits_, answer, now_);
   }
 
   void negotiate() {
-    VersionNegotiation negotiation(now_);
-    const Bytes bytes = input_.takeBytes(input_.takeByte());
-    negotiation.bytesArrived(bytes.data(), bytes.size());
-    now_ = std::max(now_, negotiation.deadline());
-    negotiation.checkDeadline(now_);
-    switch (negotiation.result()) {
-      case VersionNegotiation::Result::kVersion2:
-        session_ = std::make_unique<Version2Session>(connection_, now_);
-        break;
-      case VersionNegotiation::Result::kVersion1:
-        beginVersion1(Version1Session::VersionAnswer::kRefused);
-        break;
-      default:
-        require(negotiation.result() != VersionNegotiation::Result::kOpen, "patience ends");
-        beginVersion1(Version1Session::VersionAnswer::kPending);
+    Bytes bytes = input_.takeBytes(input_.takeByte());
+    now_ += kVersionPatience;
+    const VersionAnswer answer = takeVersionAnswer(&bytes);
+    if (answer == VersionAnswer::kVersion2) {
+      session_ = std::make_unique<Version2Session>(connection_, now_);
+    } else {
+      beginVersion1(answer);
     }
     connection_.pictures.bytesArrived(now_);
-    session_->bytesArrived(negotiation.rest().data(), negotiation.rest().size(), now_);
+    session_->bytesArrived(bytes.data(), bytes.size(), now_);
   }
 
   void play() {

@@ -41,7 +41,7 @@ class Version1SessionTest : public SessionFixture {
   void receivePicture(unsigned number) { receive(test_pictures::makeReply(test_pictures::makeNumbered(number))); }
 
   ServerHabits habits_;
-  Version1Session session_{connection_, habits_, Version1Session::VersionAnswer::kRefused, now_};
+  Version1Session session_{connection_, habits_, VersionAnswer::kVersion1, now_};
 };
 
 /// For the rows of tables.
@@ -336,7 +336,7 @@ class SilentServerTest : public Version1SessionTest {
  protected:
   Session& session() override { return silent_; }
 
-  Version1Session silent_{connection_, habits_, Version1Session::VersionAnswer::kNotAsked, now_};
+  Version1Session silent_{connection_, habits_, VersionAnswer::kNotAsked, now_};
 };
 
 // Connections to a stopped process succeed, too.
@@ -477,6 +477,24 @@ TEST_F(Version1SessionTest, ASettingChangesNoByteAndTheLogSaysThatItHasNoEffect)
   for (const char* each :
        {"for resolution and rate", "to set the camera", "to detect colours", "for its microphones"}) {
     EXPECT_EQ(1, logged(std::string("version 1 of the protocol, which has no request ") + each)) << each;
+  }
+}
+
+TEST(VersionAnswerTest, IsTheFirstFourBytesAndTheRestIsForTheSession) {
+  const struct {
+    Bytes bytes;
+    VersionAnswer answer;
+    Bytes rest;
+  } rows[] = {
+      {{'x', 2}, VersionAnswer::kNone, {'x', 2}},
+      {{'x', 2, 0, 0, 'h', 0}, VersionAnswer::kVersion2, {'h', 0}},
+      {{'x', 1, 0, 0}, VersionAnswer::kVersion1, {}},
+      {{'e', 0, 0, 0}, VersionAnswer::kVersion1, {}},
+      {{'H', 'T', 'T', 'P'}, VersionAnswer::kNone, {'H', 'T', 'T', 'P'}},
+  };
+  for (auto [bytes, answer, rest] : rows) {
+    EXPECT_EQ(answer, takeVersionAnswer(&bytes)) << testing::PrintToString(rest);
+    EXPECT_EQ(rest, bytes);
   }
 }
 
