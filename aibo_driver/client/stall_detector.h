@@ -28,13 +28,27 @@ class StallDetector {
   void restart(TimePoint now) { *this = StallDetector(now); }
 
   /// Call this when bytes were read.
-  void bytesArrived(TimePoint now);
+  void bytesArrived(TimePoint now) {
+    last_bytes_ = now;
+    if (!catching_up_ && now - last_empty_ > kStallLimit) {
+      catching_up_ = true;
+      catching_up_since_ = now;
+    } else if (catching_up_ && now - catching_up_since_ > kCatchUpLimit) {
+      restart(now);
+    }
+  }
 
   /// Call this when nothing was left to read.
-  void foundEmpty(TimePoint now);
+  void foundEmpty(TimePoint now) {
+    last_empty_ = now;
+    if (catching_up_ && now - last_bytes_ >= kQuietTime) {
+      catching_up_ = false;
+      fresh_since_ = now;
+    }
+  }
 
   /// The latest time to look at the socket again.
-  TimePoint nextLook() const;
+  TimePoint nextLook() const { return catching_up_ ? last_bytes_ + kQuietTime : last_empty_ + kStallLimit / 2; }
 
   /// True for a picture of the stream that may have waited for a long time.
   /// @param first_byte_time when the picture's first byte was read
