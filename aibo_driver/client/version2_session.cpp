@@ -140,7 +140,7 @@ Session::Bytes Version2Session::requestStream(const Settings& wanted, TimePoint 
   const version2::StreamSettings settings = {wanted.streaming, layerOf(format.resolution),
                                              static_cast<unsigned short>(format.every_nth_image)};
   Bytes frame = request(version2::STREAM_PICTURES, wanted.jpeg_quality, encoded(settings), now);
-  exchanges_[last_number_].is_for_double_resolution = format.resolution == Resolution::kDouble;
+  open_[last_number_].is_for_double_resolution = format.resolution == Resolution::kDouble;
   return frame;
 }
 
@@ -236,15 +236,16 @@ Session::Bytes Version2Session::requestCall(Call* call, TimePoint now) {
   Bytes frame = makeFrame(call->request.letter, call->id, call->payload);
   call->request_number = last_number_;
   if (call->has(version2::STARTS_MOVEMENT)) {
-    remember({call->request.letter, {}, call->order()});
+    remember({call->request, {}, call->order()});
   }
   connection_.callSent(*call, frame.size(), now);
   return frame;
 }
 
 long Version2Session::outstanding(char kind) const {
-  return std::count_if(exchanges_.begin(), exchanges_.end(),
-                       [kind](const auto& each) { return each.second.request.letter == kind; });
+  return std::count_if(open_.begin(), open_.end(), [kind](const auto& each) {
+    return each.second.request.letter == kind && each.second.deadline != TimePoint::max();
+  });
 }
 
 bool Version2Session::mayCommandJoints() const {
@@ -316,19 +317,16 @@ Session::Bytes Version2Session::requestEars(TimePoint now) {
 Session::Bytes Version2Session::request(const version2::Request& request, int id, const Bytes& payload, TimePoint now,
                                         OnAnswer on_answer, const std::vector<int>& ids, std::uint64_t order) {
   Bytes frame = makeFrame(request.letter, id, payload);
-  exchanges_[last_number_] = {request, now, connection_.answerDeadline(now), on_answer, false};
-  if (refusedRequest(request.letter)) {
-    remember({request.letter, ids, order});
-  }
+  remember({request, ids, order, connection_.answerDeadline(now), on_answer});
   return frame;
 }
 
-/// Remembers what the request that was made last is for.
-void Version2Session::remember(const Order& order) {
-  if (orders_.size() >= kMostOrders) {
-    throw ProtocolException("it has ended none of " + std::to_string(kMostOrders) + " orders");
+/// Remembers the request that was made last.
+void Version2Session::remember(const OpenRequest& request) {
+  if (open_.size() >= kMostOpenRequests) {
+    throw ProtocolException("it has ended none of " + std::to_string(kMostOpenRequests) + " orders");
   }
-  orders_[last_number_] = order;
+  open_[last_number_] = request;
 }
 
 Session::Bytes Version2Session::makeFrame(char kind, int id, const Bytes& payload) {
@@ -351,11 +349,8 @@ int Version2Session::nextNumber() {
 
 /// @return the kind of the request with this number, if its answer or its end is awaited
 std::optional<char> Version2Session::kindOf(int number) const {
-  if (const auto exchange = exchanges_.find(number); exchange != exchanges_.end()) {
-    return exchange->second.request.letter;
-  }
-  if (const auto order = orders_.find(number); order != orders_.end()) {
-    return order->second.letter;
+  if (const auto open = open_.find(number); open != open_.end()) {
+    return open->second.request.letter;
   }
   const Call* const call = connection_.calls.find(number);
   return call != nullptr ? std::optional<char>(call->request.letter) : std::nullopt;
@@ -364,8 +359,8 @@ std::optional<char> Version2Session::kindOf(int number) const {
 /// @param number the number of a request, or 0
 /// @return OrderTerms::number; 0 if there is none
 std::uint64_t Version2Session::orderOf(int number) const {
-  const auto order = orders_.find(number);
-  return order == orders_.end() ? 0 : order->second.number;
+  const auto open = open_.find(number);
+  return open == open_.end() ? 0 : open->second.order;
 }
 
 void Version2Session::bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) {
@@ -471,17 +466,24 @@ void Version2Session::onReply(char kind, int number, const Payload& payload) {
   } else if (kind != version2::replyKind(*request_kind)) {
     throw ProtocolException(std::string("a reply '") + kind + "' to the request '" + *request_kind + "'");
   } else {
-    const auto exchange = exchanges_.find(number);
     if (const Call* const call = connection_.calls.find(number)) {
       call->isForPicture() ? onRequestedPicture(number, payload) : onCallAnswered(*call, payload);
-    } else if (exchange != exchanges_.end() && exchange->second.on_answer != nullptr) {
-      (this->*exchange->second.on_answer)(payload);
+    } else if (const OnAnswer on_answer = open_.at(number).on_answer) {
+      (this->*on_answer)(payload);
     }
-    if (!isOrder(*request_kind)) {
-      orders_.erase(number);
-    }
+    onAnswered(number);
   }
-  exchanges_.erase(number);
+}
+
+/// An order goes on after its answer.
+void Version2Session::onAnswered(int number) {
+  const auto open = open_.find(number);
+  if (open != open_.end() && isOrder(open->second.request.letter)) {
+    open->second.deadline = TimePoint::max();
+    open->second.on_answer = nullptr;
+  } else if (open != open_.end()) {
+    open_.erase(open);
+  }
 }
 
 void Version2Session::onHello(const Payload& payload) {
@@ -489,11 +491,6 @@ void Version2Session::onHello(const Payload& payload) {
   expectGood(version2::decodeHello(payload.data, payload.size, &hello), "hello");
   if (!ready_) {  // later hellos are only heartbeats
     connection_.robot = robotIn(hello);
-  }
-  const TimePoint sent = exchanges_.at(reader_.header().request_number).sent;
-  if (!ready_ || timeAhead(hello.frame_number, sent) > TimePoint::duration::zero()) {
-    robot_frame_ = hello.frame_number;
-    robot_frame_time_ = sent;
   }
   frames_.told(hello.frame_number, now_);
   ready_ = true;
@@ -531,16 +528,12 @@ void Version2Session::deliverFromStream(const PicturePtr& picture) {
   }
 }
 
-// Protects against a forged frame number, which would make all later pictures look overtaken.
+// Protects against a forged frame number, which would make all later pictures look overtaken. What comes by TCP may be
+// late, but if it were later than an answer may be, there would be no connection.
 bool Version2Session::isOfTheFuture(std::uint32_t frame_number) const {
-  constexpr std::chrono::milliseconds kTolerance(100);
-  return timeAhead(frame_number, now_) > kTolerance;
-}
-
-/// How far this frame is at least ahead of the robot's frame at that time, computed from an answer to a hello.
-Session::TimePoint::duration Version2Session::timeAhead(std::uint32_t frame_number, TimePoint time) const {
-  constexpr std::chrono::milliseconds kFrame(robot_model::FRAME_MILLISECONDS);
-  return kFrame * static_cast<std::int32_t>(frame_number - robot_frame_) - (time - robot_frame_time_);
+  const std::optional<std::uint32_t> present = frames_.present(now_);
+  const auto most_ahead = connection_.answerLimit() / std::chrono::milliseconds(robot_model::FRAME_MILLISECONDS);
+  return present && static_cast<std::int32_t>(frame_number - *present) > most_ahead;
 }
 
 // Pictures by TCP and pictures by UDP may overtake each other.
@@ -598,7 +591,7 @@ void Version2Session::onSteered(const Payload& payload) {
   const int number = reader_.header().request_number;
   const std::uint64_t order = orderOf(number);
   if (steered.walk != number) {
-    orders_.erase(number);  // the order began no walk
+    open_.erase(number);  // the order began no walk
   }
   const version2::Velocity& velocity = steered.velocity;
   connection_.context.notifier.tell(&Callbacks::on_steered, "on_steered",
@@ -672,28 +665,27 @@ void Version2Session::onError(int number, const Payload& payload) {
   const auto message = decoded<version2::ErrorMessage>(payload.data, payload.size, "error message");
   const std::string problem = describe(message);
   const RefusalCause cause = message.code == version2::CODE_TOO_OLD ? RefusalCause::kTooOld : RefusalCause::kRobot;
-  const auto refused = orders_.extract(number);
+  const auto refused = open_.extract(number);
   if (const Call* const call = connection_.calls.find(number)) {
     connection_.refuse(*call, cause, problem, now_);
-  } else if (refused) {
-    const Order& order = refused.mapped();
-    const char letter = order.letter;
-    if (letter == version2::REQUEST_SPEED_LIMITS) {
-      connection_.forgetSpeedLimits(order.ids);
-    }
-    connection_.refused(Refusal{refusedRequest(letter).value(), cause, order.ids, problem, order.number});
   } else {
-    onRefusal(exchanges_.at(number), problem);
+    onRefusal(refused.mapped(), cause, problem);
   }
 }
 
-void Version2Session::onRefusal(const Exchange& exchange, const std::string& problem) {
-  const char letter = exchange.request.letter;
-  const std::string what = std::string("to ") + exchange.request.words;
+void Version2Session::onRefusal(const OpenRequest& refused, RefusalCause cause, const std::string& problem) {
+  const char letter = refused.request.letter;
+  if (letter == version2::REQUEST_SPEED_LIMITS) {
+    connection_.forgetSpeedLimits(refused.ids);
+  }
+  if (const std::optional<RefusedRequest> kind = refusedRequest(letter)) {
+    return connection_.refused(Refusal{*kind, cause, refused.ids, problem, refused.order});
+  }
+  const std::string what = std::string("to ") + refused.request.words;
   if (letter == version2::REQUEST_HELLO) {
     throw ProtocolException("it refused " + what + ": " + problem);
   }
-  if (exchange.is_for_double_resolution) {
+  if (refused.is_for_double_resolution) {
     if (!std::exchange(lacks_double_resolution_, true)) {  // a stream that is still wanted is requested without it
       connection_.context.warn("refused to stream pictures of double resolution; they have 208x160 pixels: " + problem);
     }
@@ -704,7 +696,7 @@ void Version2Session::onRefusal(const Exchange& exchange, const std::string& pro
   }
   if (letter == version2::REQUEST_DATAGRAMS) {
     ++connection_.context.counters.refusals;
-    if (transport_.isUdpWanted() && outstanding(letter) == 1) {  // otherwise the robot has refused an earlier setting
+    if (transport_.isUdpWanted() && outstanding(letter) == 0) {  // otherwise the robot has refused an earlier setting
       giveUpDatagrams("it refused to: " + problem, now_);
     }
     return;
@@ -716,7 +708,7 @@ void Version2Session::onEnded(const Payload& payload) {
   const auto message = decoded<version2::EndMessage>(payload.data, payload.size, "report of an end");
   ActivityEnd end = endIn(message);
   end.order = orderOf(message.order);
-  orders_.erase(message.order);
+  open_.erase(message.order);
   if (end.kind == EndedKind::kJam) {
     jointFollowsAgain(end.name);
   }
@@ -758,8 +750,8 @@ void Version2Session::bodyMovesAgain() {
 
 Session::TimePoint Version2Session::answerDeadline() const {
   TimePoint oldest = TimePoint::max();
-  for (const auto& exchange : exchanges_) {
-    oldest = std::min(oldest, exchange.second.deadline);
+  for (const auto& each : open_) {
+    oldest = std::min(oldest, each.second.deadline);
   }
   return oldest;
 }
@@ -774,11 +766,10 @@ void Version2Session::checkDeadlines(TimePoint now) {
     }
     giveUpDatagrams(problem, now);
   }
-  for (const auto& exchange : exchanges_) {
-    const Exchange& request = exchange.second;
-    if (now >= request.deadline) {
-      throw Fault::unanswered(context.address, std::string("the request '") + request.request.letter + "'",
-                              std::chrono::round<std::chrono::milliseconds>(request.deadline - request.sent));
+  for (const auto& each : open_) {
+    if (now >= each.second.deadline) {
+      throw Fault::unanswered(context.address, std::string("the request '") + each.second.request.letter + "'",
+                              connection_.answerLimit());
     }
   }
   connection_.expireCalls(now);

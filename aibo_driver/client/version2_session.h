@@ -31,7 +31,7 @@ class Version2Session final : public Session {
   static constexpr int kMostJointCommandsOutstanding = 4;
   /// A robot has at most 23 orders that have not ended: 18 joints, four motions, and a walk or a posture. A server that
   /// never ends its orders must not use up all numbers. The value is our choice.
-  static constexpr std::size_t kMostOrders = 1000;
+  static constexpr std::size_t kMostOpenRequests = 1000;
 
   Version2Session(Connection& connection, TimePoint connected);
 
@@ -54,20 +54,14 @@ class Version2Session final : public Session {
   /// Handles an answer. It is null if the answer only confirms the request.
   using OnAnswer = void (Version2Session::*)(const Payload& payload);
 
-  /// A request of the user that no call waits for, or an order that goes on after the answer. The user is told if the
-  /// robot refuses it, and when it ends.
-  struct Order {
-    char letter;           ///< of the request
-    std::vector<int> ids;  ///< the ids of the joints, LEDs or ears
-    std::uint64_t number;  ///< OrderTerms::number
-  };
-
-  /// A request that has to be answered soon. A call may take as long as its caller allows.
-  struct Exchange {
+  /// A request that was sent and is not over: its answer is still to come, or it is an order that goes on after it.
+  struct OpenRequest {
     protocol::version2::Request request;
-    TimePoint sent;
-    TimePoint deadline;
-    OnAnswer on_answer;
+    std::vector<int> ids{};   ///< the ids of the joints, LEDs or ears
+    std::uint64_t order = 0;  ///< OrderTerms::number
+    /// When the answer is overdue. It is TimePoint::max() if a call waits for it, or if the request was answered.
+    TimePoint deadline = TimePoint::max();
+    OnAnswer on_answer = nullptr;
     bool is_for_double_resolution = false;  ///< true: the request is for the stream in double resolution
   };
 
@@ -102,13 +96,14 @@ class Version2Session final : public Session {
   Bytes requestEars(TimePoint now);
   Bytes request(const protocol::version2::Request& request, int id, const Bytes& payload, TimePoint now,
                 OnAnswer on_answer = nullptr, const std::vector<int>& ids = {}, std::uint64_t order = 0);
-  void remember(const Order& order);
+  void remember(const OpenRequest& request);
   Bytes makeFrame(char kind, int id, const Bytes& payload);
   int nextNumber();
 
   void onFrame();
   void onPush(char kind, const Payload& payload);
   void onReply(char kind, int number, const Payload& payload);
+  void onAnswered(int number);
   void onHello(const Payload& payload);
   void onStreamPicture(const Payload& payload);
   void onRequestedPicture(int number, const Payload& payload);
@@ -122,7 +117,7 @@ class Version2Session final : public Session {
   void onCameraSetting(const Payload& payload);
   void onCallAnswered(const Call& call, const Payload& payload);
   void onError(int number, const Payload& payload);
-  void onRefusal(const Exchange& request, const std::string& problem);
+  void onRefusal(const OpenRequest& request, RefusalCause cause, const std::string& problem);
   void onEnded(const Payload& payload);
   void onReport(const Payload& payload);
   void onMotorsAndPosture(const Payload& payload);
@@ -132,7 +127,6 @@ class Version2Session final : public Session {
   std::shared_ptr<Picture> inspect(Bytes jpeg, const protocol::version2::ImageHeader& header, TimePoint began);
   void deliverFromStream(const PicturePtr& picture);
   bool isOfTheFuture(std::uint32_t frame_number) const;
-  TimePoint::duration timeAhead(std::uint32_t frame_number, TimePoint time) const;
   bool isOvertaken(const Picture& picture) const;
   void onDatagrams(const Payload& payload);
   void giveUpDatagrams(const std::string& why, TimePoint now);
@@ -153,13 +147,10 @@ class Version2Session final : public Session {
   TimePoint now_;          // when the bytes that are being parsed were read
 
   int last_number_ = 0;
-  std::map<int, Exchange> exchanges_;  // by request number
-  std::map<int, Order> orders_;        // by request number: from the request until its refusal or its end
+  std::map<int, OpenRequest> open_;  // by request number
   RobotFrames frames_;
 
   bool ready_ = false;
-  std::uint32_t robot_frame_ = 0;  ///< the frame number in the answer to a hello
-  TimePoint robot_frame_time_;     ///< when that hello was sent: that frame was not over yet
   TimePoint next_hello_;
   bool lacks_double_resolution_ = false;                                   // the robot has refused double resolution
   std::array<int, protocol::version2::NUMBER_OF_CAMERA_SETTINGS> camera_;  // as last requested; kNotRequested

@@ -40,7 +40,7 @@ class DatagramsFixture : public Version2SessionFixture {
   using Version2SessionFixture::answer;
   void answer() {
     for (char kind = request(); kind != 0; kind = request()) {
-      answer(kind == 'H' ? version2_frames::makeHello(capabilities_, kFrame) : payload_);
+      answer(kind == 'H' ? version2_frames::makeHello(capabilities_, robotsFrame()) : payload_);
       asked_ += kind;
     }
   }
@@ -81,7 +81,7 @@ class DatagramsFixture : public Version2SessionFixture {
       pass(std::min(end, session_.nextDeadline()) - now_);
     }
     for (const Frame& heartbeat : unanswered) {
-      answer(heartbeat, version2_frames::makeHello(capabilities_, kFrame));
+      answer(heartbeat, version2_frames::makeHello(capabilities_, robotsFrame()));
     }
   }
 

@@ -60,7 +60,7 @@ class TransportChoiceTest : public DatagramsFixture {
         by_udp_ = order_.port != 0;
         ways_ += by_udp_ ? "U" : "T";
       }
-      answer(asked, kind == 'H' ? version2_frames::makeHello(capabilities_, kFrame) : asked.payload);
+      answer(asked, kind == 'H' ? version2_frames::makeHello(capabilities_, robotsFrame()) : asked.payload);
     }
   }
 

@@ -46,6 +46,9 @@ class Version2SessionFixture : public SessionFixture {
 
   using Frame = version2_frames::Frame;
 
+  /// The robot's frame if it had kFrame at the beginning.
+  unsigned robotsFrame() const { return kFrame + static_cast<unsigned>((now_ - began_) / milliseconds(8)); }
+
   /// Answers the last request, or this one.
   void answer(const Bytes& payload) { answer(frame_, payload); }
   void answer(const Frame& request, const Bytes& payload) {
@@ -85,6 +88,7 @@ class Version2SessionFixture : public SessionFixture {
     }
   }
 
+  const TimePoint began_ = now_;
   std::string capabilities_;
   Frame frame_;  // that was sent last
   aibo_client::Version2Session session_{connection_, now_};

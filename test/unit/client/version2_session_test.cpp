@@ -602,7 +602,7 @@ TEST_F(Version2SessionTest, AServerThatEndsNoOrdersIsGivenUp) {
     EXPECT_EQ("J", requests());
     answer({0, 0, 0, 0});
   };
-  for (std::size_t i = 0; i < Version2Session::kMostOrders; ++i) {
+  for (std::size_t i = 0; i < Version2Session::kMostOpenRequests; ++i) {
     command();
   }
   EXPECT_THAT(whyGivenUp(command), HasSubstr("it has ended none of 1000 orders"));
