@@ -15,7 +15,6 @@ void DatagramIntake::begin(const Start& start, TimePoint now) {
   next.on_ = next.used_ = true;
   next.waits_until_ = now + kConfirmation;
   next.start_ = start;
-  next.settled_ = now;
   next.expectFrom(now);
   *this = std::move(next);
 }
@@ -54,42 +53,39 @@ bool DatagramIntake::arrived(const std::uint8_t* data, std::size_t size, TimePoi
   datagram.picture -= start_.picture;
   const std::uint64_t lost = window_.lost();
   const bool shows_loss = datagram.sequence > window_.next();
+  const std::int64_t most = std::min<std::int64_t>(datagram.sequence, assembly_.lastSettled() + kMostPicturesAhead);
   const SequenceWindow::Verdict verdict =
-      datagram.picture > datagram.sequence ? SequenceWindow::Verdict::kImpossible : window_.add(datagram.sequence);
+      datagram.picture > most ? SequenceWindow::Verdict::kImpossible : window_.add(datagram.sequence);
   if (verdict == SequenceWindow::Verdict::kImpossible) {
     refuse("its number is impossible");
     return false;
   }
   context_->counters.lost_datagrams += window_.lost() - lost;
   count(verdict);
-  const bool is_believed = verdict != SequenceWindow::Verdict::kUnbelieved;
-  if (is_believed) {
-    // After an outage, the pictures from before the outage are too old to be repeated.
-    if (now > datagram_.last + kMostPatience + 2 * pace_.interval()) {
-      settle(std::int64_t{datagram.picture} - 1, now);
-    }
-    datagram_ = {now, std::nullopt};
-    pace_.arrived(datagram, now);
-    requests_.arrived(now);
+  // After an outage, the pictures from before the outage are too old to be repeated.
+  if (now > datagram_.last + kMostPatience + 2 * pace_.interval()) {
+    settle(std::int64_t{datagram.picture} - 1);
   }
-  if (shows_loss && is_believed && pace_.hasTimeForParity(version2::numberOfParts(datagram.jpeg_size))) {
+  datagram_ = {now, std::nullopt};
+  pace_.arrived(datagram, now);
+  requests_.arrived(now);
+  if (shows_loss && pace_.hasTimeForParity(version2::numberOfParts(datagram.jpeg_size))) {
     loss_to_report_ = datagram.picture;
   }
   addPart(datagram, data, now);
-  return is_believed;
+  return true;
 }
 
 std::optional<PictureAssembly::Whole> DatagramIntake::takeWhole(TimePoint now) {
   if (!on_ || now < waits_until_) {
     return std::nullopt;
   }
-  while (auto whole = assembly_.takeWhole(now, patience())) {
-    if (isPlausible(whole->number, now)) {
-      settle(whole->number, now);
-      return whole;
-    }
-  }
-  return std::nullopt;
+  return assembly_.takeWhole(now, patience());
+}
+
+void DatagramIntake::goodPicture(std::int64_t number, TimePoint now) {
+  settle(number);
+  good_picture_ = {now, std::nullopt};
 }
 
 DatagramIntake::TimePoint::duration DatagramIntake::patience() const {
@@ -97,19 +93,7 @@ DatagramIntake::TimePoint::duration DatagramIntake::patience() const {
   return std::clamp<TimePoint::duration>(kDatagrams * pace_.spacing(), kLeastPatience, kMostPatience);
 }
 
-bool DatagramIntake::isPlausible(std::int64_t number, TimePoint now) {
-  const std::int64_t most = assembly_.lastSettled() + kAtOnce + (now - settled_) / kPicturePeriod;
-  if (number > most && (!jumped_ || now - *jumped_ < kJump)) {
-    jumped_ = jumped_.value_or(now);
-    refuse("its picture's number is too far ahead");
-    return false;
-  }
-  jumped_.reset();
-  return true;
-}
-
-void DatagramIntake::settle(std::int64_t number, TimePoint now) {
-  settled_ = now;
+void DatagramIntake::settle(std::int64_t number) {
   const std::uint64_t lost = assembly_.lost();
   assembly_.settle(number);
   context_->counters.lost_pictures += assembly_.lost() - lost;

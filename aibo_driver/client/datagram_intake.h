@@ -48,13 +48,9 @@ class DatagramIntake {
   /// After this many incomplete pictures in a row, the client goes back to TCP. If each picture has 4 datagrams and a
   /// tenth of them is lost, this happens by chance once in three years.
   static constexpr int kMostGivenUp = 20;
-  /// The robot numbers the pictures that it sends, at most one in 32 ms. A picture is plausible if its number is at
-  /// most kAtOnce further ahead of the last good one than the time allows. Otherwise it is probably forged, and counts
-  /// only if no plausible one has come for kJump since the first such picture. A computer that stalled may have
-  /// lost the pictures in between.
-  static constexpr int kAtOnce = 4;
-  static constexpr std::chrono::milliseconds kPicturePeriod{32};
-  static constexpr std::chrono::milliseconds kJump{200};
+  /// The robot numbers the pictures that it sends, at most one in 32 ms, and has given up a client after 5 s of
+  /// silence. So the number of a picture cannot be further ahead of the last good one.
+  static constexpr std::int64_t kMostPicturesAhead = 256;
 
   explicit DatagramIntake(const ConnectionContext& context) : context_(&context) {}
 
@@ -73,15 +69,16 @@ class DatagramIntake {
   void heardByTcp(TimePoint now);
 
   /// Call this when a datagram has come from the robot's address.
-  /// @return true if its numbers show that the robot sent it
+  /// @return true if the robot can have sent it
   bool arrived(const std::uint8_t* data, std::size_t size, TimePoint now);
 
-  /// The next whole picture, in order; its number is plausible. Call goodPicture() if its JPEG is good.
+  /// The next whole picture, in order. Call goodPicture() if its JPEG is good.
   /// @return empty if no picture is whole yet; then call it again after a datagram, or at nextLook()
   std::optional<PictureAssembly::Whole> takeWhole(TimePoint now);
 
   /// Call this when the JPEG of a whole picture is good.
-  void goodPicture(TimePoint now) { good_picture_ = {now, std::nullopt}; }
+  /// @param number PictureAssembly::Whole::number
+  void goodPicture(std::int64_t number, TimePoint now);
 
   /// What to send back to the robot now: which pictures have come, and what was lost.
   std::vector<Bytes> takeReplies(TimePoint now);
@@ -113,11 +110,10 @@ class DatagramIntake {
   static std::chrono::milliseconds patienceWithBadOnes(std::chrono::milliseconds extra_interval) {
     return kSilence + kMostGivenUp * extra_interval;
   }
-  bool isPlausible(std::int64_t number, TimePoint now);
   TimePoint::duration patience() const;
   void count(SequenceWindow::Verdict verdict);
   void addPart(const protocol::version2::PictureDatagram& datagram, const std::uint8_t* data, TimePoint now);
-  void settle(std::int64_t number, TimePoint now);
+  void settle(std::int64_t number);
   void refuse(const std::string& problem);
 
   const ConnectionContext* context_;
@@ -128,8 +124,6 @@ class DatagramIntake {
   bool warned_ = false;
   Expectation datagram_;
   Expectation good_picture_;
-  TimePoint settled_;                // when the last picture was settled
-  std::optional<TimePoint> jumped_;  // when the first implausible picture came; empty after a plausible one
   std::optional<std::uint32_t> loss_to_report_;
   LinkPace pace_;
   RepeatRequests requests_;

@@ -26,20 +26,14 @@ PictureAssembly::Result PictureAssembly::add(const version2::PictureDatagram& da
 }
 
 std::optional<PictureAssembly::Whole> PictureAssembly::takeWhole(TimePoint now, TimePoint::duration patience) {
-  for (auto* const place : {&incomplete_, &far_ahead_}) {
-    const auto is_whole = [](const auto& each) { return each.second.missing == 0; };
-    const auto oldest = std::find_if(place->begin(), place->end(), is_whole);
-    if (oldest == place->end()) {
-      continue;
-    }
-    const std::int64_t number = oldest->first;
-    if (isFarAhead(number) || number <= nextWanted() || now >= oldest->second.completed + patience) {
-      Whole whole = {number, oldest->second.header, std::move(oldest->second.jpeg), oldest->second.began};
-      place->erase(oldest);
-      return whole;
-    }
+  const auto oldest =
+      std::find_if(incomplete_.begin(), incomplete_.end(), [](const auto& each) { return each.second.missing == 0; });
+  if (oldest == incomplete_.end() || (oldest->first > nextWanted() && now < oldest->second.completed + patience)) {
+    return std::nullopt;
   }
-  return std::nullopt;
+  Whole whole = {oldest->first, oldest->second.header, std::move(oldest->second.jpeg), oldest->second.began};
+  incomplete_.erase(oldest);
+  return whole;
 }
 
 PictureAssembly::TimePoint PictureAssembly::endOfWaiting(TimePoint::duration patience) const {
@@ -97,7 +91,6 @@ void PictureAssembly::settle(std::int64_t number) {
   lost_ += static_cast<std::uint64_t>(number - last_settled_ - 1);
   last_settled_ = number;
   incomplete_.erase(incomplete_.begin(), incomplete_.upper_bound(number));
-  far_ahead_.clear();
   given_up_in_a_row_ = 0;
 }
 
@@ -155,17 +148,15 @@ PictureAssembly::Incomplete* PictureAssembly::find(const version2::PictureDatagr
   if (number <= last_settled_) {
     return nullptr;
   }
-  std::map<std::int64_t, Incomplete>& place = isFarAhead(number) ? far_ahead_ : incomplete_;
-  const auto found = place.find(number);
-  if (found != place.end()) {
+  const auto found = incomplete_.find(number);
+  if (found != incomplete_.end()) {
     return &found->second;
   }
-  far_ahead_.clear();
   const std::size_t parts = version2::numberOfParts(datagram.jpeg_size);
-  if (&place == &incomplete_ && incomplete_.size() == version2::KEPT_PICTURES) {
+  if (incomplete_.size() == version2::KEPT_PICTURES) {
     giveUpOldest();
   }
-  Incomplete& picture = place[number];
+  Incomplete& picture = incomplete_[number];
   picture = {datagram.image,
              std::vector<std::uint8_t>(datagram.jpeg_size),
              std::vector<bool>(parts),
@@ -173,7 +164,7 @@ PictureAssembly::Incomplete* PictureAssembly::find(const version2::PictureDatagr
              parts,
              now,
              newest_has_parity_};
-  if (&place == &incomplete_ && number > newest_) {
+  if (number > newest_) {
     newest_ = number;
     newest_has_parity_ = false;
   }

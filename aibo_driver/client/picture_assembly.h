@@ -18,15 +18,10 @@ namespace aibo_client {
 /// parity of its group, if that has come. Otherwise, the robot can be asked for it. In that case, a whole picture may
 /// have to wait for those before it.
 ///
-/// Datagrams can be forged. So only a whole picture makes earlier ones too late, and a picture whose number is far
-/// ahead has a place of its own until it is settled.
+/// Datagrams can be forged. So only a good picture makes earlier ones too late.
 class PictureAssembly {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
-
-  /// A picture is far ahead if its number is more than this above the last settled picture. This is at least 2 s ahead.
-  /// Few pictures come while the robot hears nothing from the client.
-  static constexpr std::int64_t kFarAhead = 64;
 
   /// A whole picture.
   struct Whole {
@@ -46,7 +41,7 @@ class PictureAssembly {
   /// @param bytes the bytes of the part or parity, as many as the datagram says
   Result add(const protocol::version2::PictureDatagram& datagram, const unsigned char* bytes, TimePoint now);
 
-  /// Takes the oldest whole picture. It is newer than all that were settled.
+  /// Takes the oldest whole picture. It is newer than all that were settled. Call settle() if it is good.
   /// @param patience how long a whole picture waits for those before it, unless the robot can no longer repeat them
   /// @return empty if there is none, or if it has to wait
   std::optional<Whole> takeWhole(TimePoint now, TimePoint::duration patience);
@@ -61,13 +56,11 @@ class PictureAssembly {
   /// True if a part is missing from a picture that was begun, or from one before it.
   bool isIncomplete() const { return newest_ >= nextWanted(); }
 
-  /// Call this when a picture is whole or too old. It settles this picture and all before it.
+  /// Call this when a picture is good or too old. It settles this picture and all before it.
   void settle(std::int64_t number);
 
   /// The number of the newest settled picture; -1 if there is none.
   std::int64_t lastSettled() const { return last_settled_; }
-
-  bool isFarAhead(std::int64_t number) const { return number > last_settled_ + kFarAhead; }
 
   /// How many pictures before the last settled one were not whole. This includes pictures of which nothing came.
   std::uint64_t lost() const { return lost_; }
@@ -100,9 +93,8 @@ class PictureAssembly {
   void giveUpOldest();
 
   std::map<std::int64_t, Incomplete> incomplete_;  // the key is the picture's number
-  std::map<std::int64_t, Incomplete> far_ahead_;   // at most one
   std::int64_t last_settled_ = -1;                 // the number of the newest settled picture
-  std::int64_t newest_ = -1;                       // of those not far ahead, the newest of which a part has come
+  std::int64_t newest_ = -1;                       // the newest picture of which a part has come
   bool newest_has_parity_ = false;
   std::uint64_t lost_ = 0;
   std::uint64_t repaired_ = 0;

@@ -4,7 +4,6 @@
 
 #include <bitset>
 #include <cstdint>
-#include <utility>
 
 namespace aibo_client {
 
@@ -17,9 +16,7 @@ class SequenceWindow {
   /// sent nine minutes later.
   static constexpr std::int64_t kFarthest = 65536;
 
-  /// A jump by more than kSize is believed only when a second datagram, not far behind the first, confirms it.
-  /// Otherwise anybody who can send in the robot's name could make all later datagrams look late.
-  enum class Verdict { kNext, kReordered, kDuplicate, kUnbelieved, kImpossible };
+  enum class Verdict { kNext, kReordered, kDuplicate, kImpossible };
 
   /// Call this when a datagram has come.
   /// @param sequence the datagram's number; the first one that was sent has 0
@@ -28,11 +25,8 @@ class SequenceWindow {
     if (ahead > kFarthest) {
       return Verdict::kImpossible;
     }
-    if (ahead > kSize && !isConfirmed(sequence)) {
-      return Verdict::kUnbelieved;
-    }
     if (ahead > 0) {
-      moveOn(sequence - highest_);
+      moveOn(ahead);
       return Verdict::kNext;
     }
     if (-ahead >= kSize) {
@@ -53,16 +47,6 @@ class SequenceWindow {
   std::uint64_t lost() const { return lost_; }
 
  private:
-  // A datagram that confirms a jump makes the jump's first datagram count as received, too.
-  bool isConfirmed(std::int64_t sequence) {
-    const std::int64_t first = std::exchange(jump_, sequence);
-    if (first <= highest_ || sequence <= first || sequence > first + kSize) {
-      return false;
-    }
-    moveOn(first - highest_);
-    return true;
-  }
-
   // Datagrams that leave the window without having been seen are lost.
   void moveOn(std::int64_t ahead) {
     if (ahead >= kSize) {
@@ -78,7 +62,6 @@ class SequenceWindow {
   }
 
   std::int64_t highest_ = -1;
-  std::int64_t jump_ = -1;  // the last number that was not believed
   // Bit i is the datagram highest_ - i. Datagrams before the first one count as seen.
   std::bitset<kSize> seen_ = std::bitset<kSize>().set();
   std::uint64_t lost_ = 0;

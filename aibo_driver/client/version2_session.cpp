@@ -412,7 +412,7 @@ void Version2Session::deliverWholePictures(TimePoint now) {
   while (const auto whole = datagrams_.takeWhole(now)) {
     const auto picture = inspect(whole->jpeg, whole->header, whole->began);
     if (picture && !isOfTheFuture(whole->header.frame_number)) {
-      datagrams_.goodPicture(now);
+      datagrams_.goodPicture(whole->number, now);
       deliverFromStream(picture);
     }
   }

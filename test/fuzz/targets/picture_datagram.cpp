@@ -120,7 +120,7 @@ class Receiver {
               "all parts are of the picture, also those that were repaired");
       require(!newest_ || whole.header.image_count > *newest_, "no picture comes after a newer one");
       newest_ = whole.header.image_count;
-      intake_.goodPicture(now_);
+      intake_.goodPicture(whole.number, now_);
     }
   }
 

@@ -34,21 +34,6 @@ TEST(SequenceWindowTest, LateOnesAreReorderedAndNotLost) {
   EXPECT_EQ(Verdict::kReordered, window.add(1)) << "too long ago to know";
 }
 
-TEST(SequenceWindowTest, AJumpIsBelievedWhenASecondOneSaysTheSame) {
-  SequenceWindow window;
-  window.add(0);
-  for (unsigned i = 1; i < 100; ++i) {
-    EXPECT_EQ(Verdict::kUnbelieved, window.add(60000));
-    EXPECT_EQ(Verdict::kUnbelieved, window.add(i % 2 == 0 ? 300 : 50000));
-    EXPECT_EQ(Verdict::kNext, window.add(i));
-  }
-  EXPECT_EQ(0u, window.lost());
-  EXPECT_EQ(Verdict::kUnbelieved, window.add(200));
-  EXPECT_EQ(Verdict::kNext, window.add(203));
-  EXPECT_EQ(Verdict::kReordered, window.add(201));
-  EXPECT_EQ(Verdict::kDuplicate, window.add(200));
-}
-
 TEST(SequenceWindowTest, ANumberFarAheadIsImpossibleAndChangesNothing) {
   SequenceWindow window;
   window.add(0);
