@@ -115,7 +115,7 @@ void PendingCalls::remove(int request_number) {
 void PendingCalls::answerFromStream(const PicturePtr& picture, int quality) {
   endIf(
       [&picture](const Call& call) {
-        return !call.wasSent() && call.isForPicture() && call.since < picture->first_byte_time;
+        return !call.wasSent() && call.isForPicture() && call.deadline - call.timeout < picture->first_byte_time;
       },
       [&](const Call& call) { call.answer_with_picture(picture, quality); });
 }

@@ -47,7 +47,6 @@ struct Call {
   std::chrono::milliseconds timeout{0};  ///< the time that the caller allowed, for messages
   TimePoint deadline;                    ///< when the caller stops waiting
   std::optional<OrderTerms> terms;       ///< the terms of a request that can become too old; otherwise empty
-  TimePoint since;                       ///< a picture of the stream answers the call only if it began later
   int request_number = 0;                ///< the number of the request; 0 if it has not been sent
 
   /// @name How the call ends. The client's thread calls one of these functions, once

@@ -109,21 +109,6 @@ JointCommand JointCommands::takeTargetAfter(int id, TimePoint now) {
   return taken;
 }
 
-void CommandOutbox::append(CommandOutbox newer) {
-  speed_limits.add(newer.speed_limits.items());
-  dropped.insert(dropped.end(), newer.dropped.begin(), newer.dropped.end());
-  while (!newer.joints.empty()) {
-    command(newer.joints.takeCommand());
-  }
-  for (const auto& velocity : {newer.let_go, newer.steering}) {
-    if (velocity) {
-      steer(*velocity);
-    }
-  }
-  leds.add(newer.leds.items());
-  ears.add(newer.ears.items());
-}
-
 void CommandOutbox::command(JointCommand newer) {
   const bool takes_legs = std::any_of(newer.targets.begin(), newer.targets.end(),
                                       [](const JointTarget& target) { return isOfLeg(target.id); });
@@ -176,7 +161,7 @@ void CommandOutbox::drop(const std::vector<JointCommand>& commands, RefusalCause
     for (const JointTarget& target : command.targets) {
       refusal.ids.push_back(target.id);
     }
-    dropped.push_back(std::move(refusal));
+    refuse(refusal);
   }
 }
 
@@ -184,7 +169,7 @@ void CommandOutbox::drop(const std::vector<JointCommand>& commands, RefusalCause
 void CommandOutbox::drop(std::optional<SteeringCommand>* velocity, RefusalCause cause, const std::string& reason) {
   const std::optional<SteeringCommand> gone = std::exchange(*velocity, std::nullopt);
   if (gone && (!gone->velocity.isZero() || gone->terms.number != 0)) {
-    dropped.push_back({RefusedRequest::kWalk, cause, {}, reason, gone->terms.number});
+    refuse({RefusedRequest::kWalk, cause, {}, reason, gone->terms.number});
   }
 }
 

@@ -12,6 +12,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "aibo_client/orders.h"
@@ -61,11 +62,6 @@ class LatestById {
         *older = item;
       }
     }
-  }
-
-  template <typename Condition>
-  void removeIf(const Condition& condition) {
-    items_.erase(std::remove_if(items_.begin(), items_.end(), condition), items_.end());
   }
 
   /// Removes and returns the oldest items, at most `most` of them.
@@ -126,19 +122,21 @@ struct SteeringCommand {
 
 /// All commands that wait to be sent.
 struct CommandOutbox {
+  /// Reports that an order was dropped.
+  using Refuse = std::function<void(const Refusal& refusal)>;
+
+  explicit CommandOutbox(Refuse on_dropped) : refuse(std::move(on_dropped)) {}
+
+  const Refuse refuse;
   LatestById<JointSpeedLimit> speed_limits;
   JointCommands joints;
   std::optional<SteeringCommand> let_go;    ///< a velocity of 0; only what stops the robot is sent before it
   std::optional<SteeringCommand> steering;  ///< the newest velocity that is not 0
   LatestById<LedCommand> leds;
   LatestById<EarCommand> ears;
-  std::vector<Refusal> dropped;  ///< refusals that have not been reported yet
 
   /// True if no command waits that version 1 can express.
   bool isEmptyForVersion1() const { return speed_limits.empty() && joints.empty() && leds.empty() && ears.empty(); }
-
-  /// Adds newer commands.
-  void append(CommandOutbox newer);
 
   /// Adds a command to joints. If it moves a leg, a walk that waits is dropped.
   void command(JointCommand newer);

@@ -16,9 +16,17 @@ constexpr std::chrono::milliseconds kShortestAnswerLimit{1000};
 
 }  // namespace
 
+Connection::Connection(const ConnectionContext& the_context, TimePoint established)
+    : context(the_context),
+      pictures(context, established),
+      measurements(context),
+      colors(context),
+      sound(context),
+      commands([this](const Refusal& refusal) { tell(refusal); }) {}
+
 void Connection::refused(const Refusal& refusal) {
   ++context.counters.refusals;
-  context.notifier.tell(&Callbacks::on_refused, "on_refused", refusal);
+  tell(refusal);
 }
 
 void Connection::refused(const std::string& problem) {
@@ -31,7 +39,6 @@ void Connection::dropTooOld(TimePoint now) {
   const auto reason = [this] { return "too old: it could not be sent to " + context.address + " in time"; };
   if (!commands.joints.empty() || commands.steering) {
     commands.dropTooOld(now, reason());
-    reportDropped();
   }
   calls.failIf([now](const Call& call) { return !call.wasSent() && call.terms && call.terms->not_after < now; },
                [&](const Call& call) {
@@ -40,12 +47,12 @@ void Connection::dropTooOld(TimePoint now) {
                });
 }
 
-void Connection::take(CommandOutbox newer) {
-  newer.speed_limits.removeIf([this](const JointSpeedLimit& limit) {
+void Connection::limitSpeeds(std::vector<JointSpeedLimit> limits) {
+  const auto is_in_force = [this](const JointSpeedLimit& limit) {
     return std::exchange(speed_limits_[limit.id], limit.speed) == limit.speed;
-  });
-  commands.append(std::move(newer));
-  reportDropped();
+  };
+  limits.erase(std::remove_if(limits.begin(), limits.end(), is_in_force), limits.end());
+  commands.speed_limits.add(limits);
 }
 
 void Connection::forgetSpeedLimits(const std::vector<int>& joints) {
@@ -54,15 +61,8 @@ void Connection::forgetSpeedLimits(const std::vector<int>& joints) {
   }
 }
 
-void Connection::reportDropped() {
-  for (const Refusal& refusal : std::exchange(commands.dropped, {})) {
-    context.notifier.tell(&Callbacks::on_refused, "on_refused", refusal);
-  }
-}
-
 void Connection::add(Call call) {
   call.dropFrom(&commands);
-  reportDropped();
   calls.failIf([&call](const Call& other) { return !other.wasSent() && call.cancels(other); },
                [&](const Call& other) {
                  const std::string told = "was told to " + describe(call) + " before ";
@@ -107,11 +107,14 @@ void Connection::refuse(const Call& call, RefusalCause cause, const std::string&
                });
 }
 
+void Connection::tell(const Refusal& refusal) {
+  context.notifier.tell(&Callbacks::on_refused, "on_refused", refusal);
+}
+
 /// The user follows a numbered order by its number, whether or not a caller waits for the answer.
 void Connection::tellRefused(const Call& call, RefusalCause cause, const std::string& reason) {
   if (call.order() != 0) {
-    context.notifier.tell(&Callbacks::on_refused, "on_refused",
-                          {refusedRequest(call.request.letter).value(), cause, {}, reason, call.order()});
+    tell({refusedRequest(call.request.letter).value(), cause, {}, reason, call.order()});
   }
 }
 

@@ -28,16 +28,15 @@ struct Connection {
   using TimePoint = std::chrono::steady_clock::time_point;
 
   /// @param established when the connection was made
-  Connection(const ConnectionContext& the_context, TimePoint established)
-      : context(the_context), pictures(context, established), measurements(context), colors(context), sound(context) {}
+  Connection(const ConnectionContext& the_context, TimePoint established);
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
   /// Drops the unsent orders that are too old. Call this before an order is sent.
   void dropTooOld(TimePoint now);
 
-  /// Takes over newer commands, except for speed limits that this connection has sent or will send anyway.
-  void take(CommandOutbox newer);
+  /// Limits speeds of joints, unless this connection has sent the same limits or will send them anyway.
+  void limitSpeeds(std::vector<JointSpeedLimit> limits);
 
   /// Call this when the robot has refused limits of these joints' speeds. The same limits will be sent when they are
   /// commanded again.
@@ -48,9 +47,6 @@ struct Connection {
   /// Logs such a refusal if RefusedRequest does not have its kind.
   /// @param problem what was refused and why, in words that follow "refused "
   void refused(const std::string& problem);
-
-  /// Reports the orders that were dropped.
-  void reportDropped();
 
   /// True if this call begins a motion that must wait until its speed limits have been sent.
   bool mustWaitForSpeedLimits(const Call& call) const {
@@ -99,6 +95,7 @@ struct Connection {
   std::string transport_problem;                        ///< why the pictures do not come by UDP; empty if they may
 
  private:
+  void tell(const Refusal& refusal);
   void tellRefused(const Call& call, RefusalCause cause, const std::string& reason);
 
   std::map<int, double> speed_limits_;  // rad/s, by the joint's id

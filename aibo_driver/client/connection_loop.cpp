@@ -180,34 +180,30 @@ void ConnectionLoop::pauseUntil(TimePoint end) {
 void ConnectionLoop::talk() {
   const TimePoint now = steady_clock::now();
   if (has_news_.exchange(false)) {
-    takeNews(now);
+    takeNews();
   }
   wanted_.datagram_port = datagramPort(wanted_);
   for (Session::Bytes bytes; !(bytes = session_->nextRequest(wanted_, now)).empty();) {
     send(bytes);
-    updateStreaming(connection_->pictures.streaming());
+    update(&Shared::streaming, connection_->pictures.streaming(), &Callbacks::on_streaming, "on_streaming");
   }
 }
 
-/// Takes over the user's settings, new calls and new commands.
-void ConnectionLoop::takeNews(TimePoint now) {
+/// Takes over the user's settings and new requests.
+void ConnectionLoop::takeNews() {
   const unsigned transport_changes = wanted_.transport_changes;
-  std::vector<Call> calls;
-  CommandOutbox commands;
+  std::vector<std::function<void(Connection&)>> requests;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    calls = std::exchange(shared_.calls, {});
-    commands = std::exchange(shared_.commands, {});
+    requests.swap(shared_.requests);
     wanted_ = shared_.wanted;
   }
   if (wanted_.transport_changes != transport_changes) {
     connection_->transport_problem.clear();
   }
-  for (Call& call : calls) {
-    call.since = now;
-    connection_->add(std::move(call));
+  for (const auto& request : requests) {
+    request(*connection_);
   }
-  connection_->take(std::move(commands));
 }
 
 /// The port for pictures by UDP. It is 0 if they should come by TCP.
@@ -241,7 +237,8 @@ void ConnectionLoop::listen() {
     transport_->datagrams().reply(reply.data(), reply.size());
   }
   if (session_->ready()) {  // the robot may report this before its hello
-    updateMotorsAndPosture(connection_->motors_and_posture);
+    update(&Shared::motors_and_posture, connection_->motors_and_posture, &Callbacks::on_motors_and_posture,
+           "on_motors_and_posture");
   }
   reportSession();
 }
@@ -333,8 +330,8 @@ bool ConnectionLoop::wasTurnedAway(const Fault& fault) const {
 void ConnectionLoop::endConnection(const std::string& reason, const std::string& advice, FaultKind kind) {
   transport_->close();
   connected_ = TimePoint::max();
-  updateStreaming(false);
-  updateMotorsAndPosture({});
+  update(&Shared::streaming, false, &Callbacks::on_streaming, "on_streaming");
+  update(&Shared::motors_and_posture, MotorsAndPosture(), &Callbacks::on_motors_and_posture, "on_motors_and_posture");
   updateStatus([&](ConnectionStatus& status) {
     status.state = ConnectionState::kDisconnected;
     status.protocol_version = 0;
@@ -344,16 +341,9 @@ void ConnectionLoop::endConnection(const std::string& reason, const std::string&
     status.reason = reason;
     status.advice = advice;
   });
-  std::vector<Call> unsent;
-  change([&unsent](Shared& shared) {
-    shared.sound = SoundPart();
-    shared.commands = CommandOutbox();
-    unsent = std::exchange(shared.calls, {});
-  });
+  change([](Shared& shared) { shared.sound = SoundPart(); });
   if (session_) {
-    for (Call& call : unsent) {
-      connection_->calls.add(std::move(call));  // on_refused is not called, because all orders end with the connection
-    }
+    takeNews();
     connection_->sound.connectionLost();
     connection_->calls.failAll(advice.empty() ? reason : reason + ". " + advice, kind);
   }
@@ -377,24 +367,18 @@ void ConnectionLoop::updateStatus(const Change& change) {
   notifier_.tell(&Callbacks::on_status, "on_status", status);
 }
 
-void ConnectionLoop::updateStreaming(bool streaming) {
+/// Changes a value that the user can read, and reports it if it is another one.
+/// @param name the callback's name
+template <typename Value, typename Argument>
+void ConnectionLoop::update(Value Shared::*member, const Value& value,
+                            std::function<void(Argument)> Callbacks::*callback, const char* name) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (streaming == std::exchange(shared_.streaming, streaming)) {
+    if (value == std::exchange(shared_.*member, value)) {
       return;
     }
   }
-  notifier_.tell(&Callbacks::on_streaming, "on_streaming", streaming);
-}
-
-void ConnectionLoop::updateMotorsAndPosture(const MotorsAndPosture& state) {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (state == std::exchange(shared_.motors_and_posture, state)) {
-      return;
-    }
-  }
-  notifier_.tell(&Callbacks::on_motors_and_posture, "on_motors_and_posture", state);
+  notifier_.tell(callback, name, value);
 }
 
 }  // namespace aibo_client

@@ -8,6 +8,7 @@
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -38,10 +39,9 @@ class ConnectionLoop {
     Settings wanted;
     ConnectionStatus status;
     MotorsAndPosture motors_and_posture;
-    std::vector<Call> calls;   ///< calls that the client's thread has not taken over yet
+    std::vector<std::function<void(Connection&)>> requests;  ///< hand requests to the connection; not called yet
     SoundPart sound;           ///< the next part of the newest sound; if is_last is true, the sound is complete
     std::uint64_t sounds = 0;  ///< how many sounds have begun
-    CommandOutbox commands;    ///< commands that the client's thread has not taken over yet
     std::thread::id thread;    ///< the client's thread
   };
 
@@ -94,7 +94,7 @@ class ConnectionLoop {
   void pauseUntil(TimePoint end);
   void talk();
   void send(const Session::Bytes& bytes) { transport_->send(bytes.data(), bytes.size()); }
-  void takeNews(TimePoint now);
+  void takeNews();
   int datagramPort(const Settings& wanted);
   void listen();
   bool takeDatagrams();
@@ -103,8 +103,9 @@ class ConnectionLoop {
   void onFault(const Fault& cause);
   bool wasTurnedAway(const Fault& fault) const;
   void endConnection(const std::string& reason, const std::string& advice, FaultKind kind);
-  void updateStreaming(bool streaming);
-  void updateMotorsAndPosture(const MotorsAndPosture& state);
+  template <typename Value, typename Argument>
+  void update(Value Shared::*member, const Value& value, std::function<void(Argument)> Callbacks::*callback,
+              const char* name);
   template <typename Change>
   void updateStatus(const Change& change);
   /// True from the end of a successful attempt to connect to the end of the connection.

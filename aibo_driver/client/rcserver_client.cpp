@@ -63,8 +63,8 @@ void handOver(ConnectionLoop* loop, Call call, milliseconds timeout, const Compl
     if (complete) {
       complete(&shared, &call);
     }
-    call.dropFrom(&shared.commands);
-    shared.calls.push_back(std::move(call));
+    shared.requests.emplace_back(
+        [call = std::move(call)](Connection& connection) mutable { connection.add(std::move(call)); });
   });
 }
 
@@ -94,12 +94,12 @@ ConnectionLoop* waitable(const std::unique_ptr<ConnectionLoop>& loop) {
 }
 
 /// Hands a command to the client's thread.
-/// @param add called with the outbox
+/// @param add called with the connection
 template <typename Add>
-void command(ConnectionLoop* loop, const Add& add) {
+void command(ConnectionLoop* loop, Add add) {
   loop->change([&](Shared& shared) {
     loop->requireConnection(shared);
-    add(shared.commands);
+    shared.requests.emplace_back(std::move(add));
   });
 }
 
@@ -294,15 +294,15 @@ void RcServerClient::commandJoints(const std::vector<JointTarget>& targets, mill
       limits.push_back({target.id, target.speed});
     }
   }
-  command(loop_.get(), [&](CommandOutbox& outbox) {
-    outbox.speed_limits.add(limits);
-    outbox.command({duration, targets, terms});
+  command(loop_.get(), [limits, command = JointCommand{duration, targets, terms}](Connection& connection) {
+    connection.limitSpeeds(limits);
+    connection.commands.command(command);
   });
 }
 
 void RcServerClient::setJointSpeedLimits(const std::vector<JointSpeedLimit>& limits) {
   checkJointSpeedLimits(limits);
-  command(loop_.get(), [&](CommandOutbox& outbox) { outbox.speed_limits.add(limits); });
+  command(loop_.get(), [limits](Connection& connection) { connection.limitSpeeds(limits); });
 }
 
 bool RcServerClient::setMotors(bool on, milliseconds timeout, const OrderTerms& terms) {
@@ -340,7 +340,9 @@ void RcServerClient::steer(const WalkVelocity& velocity, const OrderTerms& terms
   loop_->change([&](Shared& shared) {
     loop_->requireConnection(shared);
     requireRequest(*loop_, shared, version2::STEER, version2::STEER.words, false);
-    shared.commands.steer({rounded, terms, steering_bits_});
+    shared.requests.emplace_back([command = SteeringCommand{rounded, terms, steering_bits_}](Connection& connection) {
+      connection.commands.steer(command);
+    });
   });
 }
 
@@ -362,12 +364,12 @@ std::future<void> RcServerClient::beginPosture(Posture posture, milliseconds tim
 
 void RcServerClient::commandLeds(const std::vector<LedCommand>& leds) {
   checkLedCommands(leds);
-  command(loop_.get(), [&](CommandOutbox& outbox) { outbox.leds.add(leds); });
+  command(loop_.get(), [leds](Connection& connection) { connection.commands.leds.add(leds); });
 }
 
 void RcServerClient::commandEars(bool left, bool right) {
-  command(loop_.get(), [&](CommandOutbox& outbox) {
-    outbox.ears.add({{EarCommand::kLeft, left}, {EarCommand::kRight, right}});
+  command(loop_.get(), [left, right](Connection& connection) {
+    connection.commands.ears.add({{EarCommand::kLeft, left}, {EarCommand::kRight, right}});
   });
 }
 

@@ -179,7 +179,6 @@ class Client {
 
   void add(Call call) {
     call.timeout = milliseconds(8 * input_.takeByte());
-    call.since = now_;
     call.deadline = now_ + call.timeout;
     const std::uint64_t wanted = input_.takeByte() % 2;
     if (call.has(protocol::version2::STARTS_MOVEMENT)) {
@@ -219,7 +218,7 @@ class Client {
         commands.command({milliseconds(8 * kind), {{id, value}}, terms(true)});
         break;
       case 1:
-        commands.speed_limits.add({{id, std::abs(value) + 0.01}});
+        connection_.limitSpeeds({{id, std::abs(value) + 0.01}});
         break;
       case 2:
         commands.leds.add({{id, static_cast<int>(kind), LedMode::kB}});

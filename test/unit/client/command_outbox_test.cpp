@@ -56,8 +56,15 @@ JointCommands::TimePoint at(int time) {
   return JointCommands::TimePoint(milliseconds(time));
 }
 
+/// Keeps what it has dropped.
+struct Outbox : public CommandOutbox {
+  Outbox() : CommandOutbox([this](const Refusal& refusal) { dropped.push_back(refusal); }) {}
+
+  std::vector<Refusal> dropped;
+};
+
 /// The orders that were dropped: request, cause, order, joints, reason.
-std::string takeDropped(CommandOutbox* outbox) {
+std::string takeDropped(Outbox* outbox) {
   std::string text;
   for (const Refusal& refusal : std::exchange(outbox->dropped, {})) {
     text += refusal.request == RefusedRequest::kWalk ? "walk " : "joints ";
@@ -78,7 +85,7 @@ constexpr int kLegJoint = 11;
 constexpr WalkVelocity kForward = {0.1, 0, 0};
 
 TEST(CommandOutboxTest, EachOrderIsDroppedWhenItsOwnTimeHasPassed) {
-  CommandOutbox outbox;
+  Outbox outbox;
   outbox.command({milliseconds(100), {{1, 0.1}, {2, 0.2}}, {at(1000), 1}});
   outbox.command({milliseconds(100), {{2, 0.3}}, {at(2000), 2}});
   outbox.steer({{}, {at(0), 4}});
@@ -93,7 +100,7 @@ TEST(CommandOutboxTest, EachOrderIsDroppedWhenItsOwnTimeHasPassed) {
 }
 
 TEST(CommandOutboxTest, CommandsToSomeJointsOrToAllCanBeStopped) {
-  CommandOutbox outbox;
+  Outbox outbox;
   outbox.command({milliseconds(100), {{1, 0.1}, {2, 0.2}, {9, 0.4}}, {at(1000), 1}});
   outbox.command({milliseconds(200), {{3, 0.3}}, {at(1000), 2}});
   outbox.stopJoints({1, 3, 9}, "a stop");
@@ -105,7 +112,7 @@ TEST(CommandOutboxTest, CommandsToSomeJointsOrToAllCanBeStopped) {
 }
 
 TEST(CommandOutboxTest, AnOrderOfWhichNothingIsLeftIsReplaced) {
-  CommandOutbox outbox;
+  Outbox outbox;
   outbox.command({milliseconds(100), {{1, 0.1}, {2, 0.2}}, {at(1000), 1}});
   outbox.command({milliseconds(100), {{1, 0.3}}, {at(1000), 0}});
   EXPECT_EQ("", takeDropped(&outbox)) << "joint 2 is left";
@@ -116,7 +123,7 @@ TEST(CommandOutboxTest, AnOrderOfWhichNothingIsLeftIsReplaced) {
 
 TEST(CommandOutboxTest, OfVelocitiesTheNewestWaitsAndAVelocityOf0BeforeIt) {
   const std::string why = " another velocity came before this one was sent;";
-  CommandOutbox outbox;
+  Outbox outbox;
   std::uint64_t number = 0;
   const std::pair<WalkVelocity, const char*> rows[] = {
       {kForward, ""}, {{}, "1"}, {{}, "2"}, {kForward, ""}, {kForward, "4"}};
@@ -124,28 +131,24 @@ TEST(CommandOutboxTest, OfVelocitiesTheNewestWaitsAndAVelocityOf0BeforeIt) {
     outbox.steer({velocity, {at(1000), ++number}});
     EXPECT_EQ(*replaced == 0 ? "" : std::string("walk replaced #") + replaced + why, takeDropped(&outbox));
   }
-  CommandOutbox all;
-  all.append(outbox);
-  EXPECT_EQ(3u, all.let_go->terms.number);
-  EXPECT_EQ(5u, all.steering->terms.number);
-  all.stopWalk(false, "a posture");
-  EXPECT_EQ("walk stopped #5 a posture;", takeDropped(&all));
-  all.stopWalk(true, "a stop");
-  EXPECT_EQ("walk stopped #3 a stop;", takeDropped(&all));
-  EXPECT_FALSE(all.let_go || all.steering);
+  EXPECT_EQ(3u, outbox.let_go->terms.number);
+  EXPECT_EQ(5u, outbox.steering->terms.number);
+  outbox.stopWalk(false, "a posture");
+  EXPECT_EQ("walk stopped #5 a posture;", takeDropped(&outbox));
+  outbox.stopWalk(true, "a stop");
+  EXPECT_EQ("walk stopped #3 a stop;", takeDropped(&outbox));
+  EXPECT_FALSE(outbox.let_go || outbox.steering);
 }
 
 TEST(CommandOutboxTest, OfAWalkAndACommandToTheLegsTheNewerOneCounts) {
-  CommandOutbox outbox;
+  Outbox outbox;
   outbox.command({milliseconds(100), {{1, 0.1}, {kLegJoint, 0.2}}, {at(1000), 1}});
   outbox.steer({kForward, {at(1000), 2}});
   EXPECT_EQ("joints replaced #0 11 a walk was commanded before this was sent;", takeDropped(&outbox));
   EXPECT_THAT(takeAll(outbox.joints), testing::ElementsAre("1:1 in 100"));
   outbox.command({milliseconds(100), {{2, 0.1}}, {at(1000), 3}});
   EXPECT_TRUE(outbox.steering) << "the head is free";
-  CommandOutbox newer;
-  newer.command({milliseconds(100), {{43, 0.3}}, {at(1000), 4}});  // the last joint of the legs
-  outbox.append(newer);
+  outbox.command({milliseconds(100), {{43, 0.3}}, {at(1000), 4}});  // the last joint of the legs
   EXPECT_EQ("walk replaced #2 a command to the legs came before this one was sent;", takeDropped(&outbox));
   EXPECT_FALSE(outbox.steering);
   outbox.steer({{}, {at(1000), 5}});

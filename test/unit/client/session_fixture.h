@@ -81,22 +81,11 @@ class SessionFixture : public testing::Test {
   /// Orders are numbered from kFirstOrder on.
   aibo_client::OrderTerms terms() { return {now_ + aibo_client::kLongestOrderWait, ++last_order_}; }
 
-  /// Commands come as from the client's users.
-  template <typename Command>
-  void command(const Command& command) {
-    aibo_client::CommandOutbox newer;
-    command(&newer);
-    connection_.take(std::move(newer));
-  }
-
-  void steer(const aibo_client::WalkVelocity& velocity) {
-    command([&](auto* newer) { newer->steer({velocity, terms()}); });
-  }
+  void steer(const aibo_client::WalkVelocity& velocity) { connection_.commands.steer({velocity, terms()}); }
 
   std::future<Answer> add(aibo_client::Call call, milliseconds timeout = milliseconds(2000)) {
     const auto promise = std::make_shared<std::promise<Answer>>();
     call.timeout = timeout;
-    call.since = now_;
     call.deadline = now_ + timeout;
     call.answer = [promise](const unsigned char*, std::size_t) { return promise->set_value({}), nullptr; };
     call.answer_with_picture = [promise](const aibo_client::PicturePtr& picture, int stream_quality) {
@@ -122,21 +111,15 @@ class SessionFixture : public testing::Test {
   }
 
   void commandJoints(const std::vector<aibo_client::JointTarget>& targets, milliseconds duration = milliseconds(0)) {
-    command([&](auto* newer) { newer->command({duration, targets, terms()}); });
+    connection_.commands.command({duration, targets, terms()});
   }
 
-  void limitSpeed(const std::vector<aibo_client::JointSpeedLimit>& limits) {
-    command([&](auto* newer) { newer->speed_limits.add(limits); });
-  }
+  void limitSpeed(const std::vector<aibo_client::JointSpeedLimit>& limits) { connection_.limitSpeeds(limits); }
 
-  void commandLeds(const std::vector<aibo_client::LedCommand>& leds) {
-    command([&](auto* newer) { newer->leds.add(leds); });
-  }
+  void commandLeds(const std::vector<aibo_client::LedCommand>& leds) { connection_.commands.leds.add(leds); }
 
   void commandEars(bool left, bool right) {
-    command([&](auto* newer) {
-      newer->ears.add({{aibo_client::EarCommand::kLeft, left}, {aibo_client::EarCommand::kRight, right}});
-    });
+    connection_.commands.ears.add({{aibo_client::EarCommand::kLeft, left}, {aibo_client::EarCommand::kRight, right}});
   }
 
   static bool done(const std::future<Answer>& answer) {

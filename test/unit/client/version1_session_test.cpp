@@ -423,7 +423,6 @@ TEST_F(Version1SessionTest, AnOrderEndsOnceAndNothingSaysHow) {
       const char answer = row.answers[joint - 1U];
       if (answer == 's') {
         robot.connection_.commands.stopJoints({}, "a stop");
-        robot.connection_.reportDropped();
       } else if (answer == 'o') {
         robot.now_ += milliseconds(501);
       }

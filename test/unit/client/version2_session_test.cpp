@@ -375,7 +375,7 @@ TEST(Version2Session, TellsUntilWhichFrameAnOrderIsGood) {
     session.now_ += milliseconds(1100);  // what came before does not count any more
     session.push('t', version2_frames::makeTelemetry(row.frame, {}));
     session.now_ += row.age;
-    session.command([&](CommandOutbox* newer) { newer->steer({{0.1, 0, 0}, {session.now_ + row.wait, 1}}); });
+    session.connection_.commands.steer({{0.1, 0, 0}, {session.now_ + row.wait, 1}});
     while (session.request()[0] != 'S') {
     }
     EXPECT_EQ(row.not_after, protocol::decodeBigEndian32(session.frame_.payload.data())) << row.not_after;
