@@ -51,17 +51,15 @@ bool DatagramIntake::arrived(const std::uint8_t* data, std::size_t size, TimePoi
   }
   datagram.sequence -= start_.sequence;
   datagram.picture -= start_.picture;
-  const std::uint64_t lost = window_.lost();
-  const bool shows_loss = datagram.sequence > window_.next();
-  const std::int64_t most = std::min<std::int64_t>(datagram.sequence, assembly_.lastSettled() + kMostPicturesAhead);
-  const SequenceWindow::Verdict verdict =
-      datagram.picture > most ? SequenceWindow::Verdict::kImpossible : window_.add(datagram.sequence);
-  if (verdict == SequenceWindow::Verdict::kImpossible) {
+  if (!isPossible(datagram)) {
     refuse("its number is impossible");
     return false;
   }
-  context_->counters.lost_datagrams += window_.lost() - lost;
-  count(verdict);
+  const std::int64_t missing = datagram.sequence - next_sequence_;
+  next_sequence_ += std::max<std::int64_t>(missing + 1, 0);
+  ++context_->counters.datagrams;
+  context_->counters.reordered_datagrams += missing < 0 ? 1 : 0;
+  context_->counters.lost_datagrams += static_cast<std::uint64_t>(std::max<std::int64_t>(missing, 0));
   // After an outage, the pictures from before the outage are too old to be repeated.
   if (now > datagram_.last + kMostPatience + 2 * pace_.interval()) {
     settle(std::int64_t{datagram.picture} - 1);
@@ -69,11 +67,16 @@ bool DatagramIntake::arrived(const std::uint8_t* data, std::size_t size, TimePoi
   datagram_ = {now, std::nullopt};
   pace_.arrived(datagram, now);
   requests_.arrived(now);
-  if (shows_loss && pace_.hasTimeForParity(version2::numberOfParts(datagram.jpeg_size))) {
+  if (missing > 0 && pace_.hasTimeForParity(version2::numberOfParts(datagram.jpeg_size))) {
     loss_to_report_ = datagram.picture;
   }
   addPart(datagram, data, now);
   return true;
+}
+
+bool DatagramIntake::isPossible(const version2::PictureDatagram& datagram) const {
+  return datagram.picture <= datagram.sequence && datagram.picture <= assembly_.lastSettled() + kMostPicturesAhead &&
+         datagram.sequence <= next_sequence_ + kMostDatagramsAhead;
 }
 
 std::optional<PictureAssembly::Whole> DatagramIntake::takeWhole(TimePoint now) {
@@ -129,13 +132,6 @@ void DatagramIntake::addPart(const version2::PictureDatagram& datagram, const st
     refuse("other parts of its picture describe the picture differently");
   }
   context_->counters.repaired_datagrams += assembly_.repaired() - repaired;
-}
-
-void DatagramIntake::count(SequenceWindow::Verdict verdict) {
-  ClientStatistics& counters = context_->counters;
-  ++counters.datagrams;
-  counters.reordered_datagrams += verdict == SequenceWindow::Verdict::kReordered ? 1 : 0;
-  counters.duplicate_datagrams += verdict == SequenceWindow::Verdict::kDuplicate ? 1 : 0;
 }
 
 void DatagramIntake::refuse(const std::string& problem) {

@@ -13,7 +13,6 @@
 #include "client/picture_assembly.h"
 #include "client/picture_intake.h"
 #include "client/repeat_requests.h"
-#include "client/sequence_window.h"
 
 namespace aibo_client {
 
@@ -51,6 +50,8 @@ class DatagramIntake {
   /// The robot numbers the pictures that it sends, at most one in 32 ms, and has given up a client after 5 s of
   /// silence. So the number of a picture cannot be further ahead of the last good one.
   static constexpr std::int64_t kMostPicturesAhead = 256;
+  /// Likewise, the number of a datagram cannot be further ahead of the last one. A picture has at most 98 datagrams.
+  static constexpr std::int64_t kMostDatagramsAhead = 65536;
 
   explicit DatagramIntake(const ConnectionContext& context) : context_(&context) {}
 
@@ -111,7 +112,7 @@ class DatagramIntake {
     return kSilence + kMostGivenUp * extra_interval;
   }
   TimePoint::duration patience() const;
-  void count(SequenceWindow::Verdict verdict);
+  bool isPossible(const protocol::version2::PictureDatagram& datagram) const;
   void addPart(const protocol::version2::PictureDatagram& datagram, const std::uint8_t* data, TimePoint now);
   void settle(std::int64_t number);
   void refuse(const std::string& problem);
@@ -127,7 +128,7 @@ class DatagramIntake {
   std::optional<std::uint32_t> loss_to_report_;
   LinkPace pace_;
   RepeatRequests requests_;
-  SequenceWindow window_;
+  std::int64_t next_sequence_ = 0;  // the number of the next datagram if none is lost
   PictureAssembly assembly_;
 };
 

@@ -145,7 +145,6 @@ void DriverDiagnostics::reportTransport(DiagnosticStatusWrapper& status) const {
   addAll({{"datagrams received", client_.datagrams},
           {"datagrams lost", client_.lost_datagrams},
           {"datagrams out of order", client_.reordered_datagrams},
-          {"datagrams that came twice", client_.duplicate_datagrams},
           {"datagrams that are no part of a picture", client_.bad_datagrams},
           {"datagrams from strangers", client_.foreign_datagrams},
           {"lost datagrams that were repaired", client_.repaired_datagrams},

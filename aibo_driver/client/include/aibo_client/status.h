@@ -102,9 +102,8 @@ struct ClientStatistics {
   /// @name Pictures by UDP
   /// @{
   Counter datagrams;            ///< datagrams received from the robot
-  Counter lost_datagrams;       ///< datagrams that had not come when 64 later ones had been sent
-  Counter reordered_datagrams;  ///< datagrams that came behind later ones
-  Counter duplicate_datagrams;  ///< datagrams that came a second time
+  Counter lost_datagrams;       ///< datagrams that were missing when a later one came
+  Counter reordered_datagrams;  ///< datagrams that came behind later ones: not lost, or a second time
   Counter bad_datagrams;        ///< datagrams that came from the robot's address but were not part of a picture
   Counter foreign_datagrams;    ///< datagrams dropped: they came from another address
   Counter repaired_datagrams;   ///< datagrams that were lost or late and were made from others
