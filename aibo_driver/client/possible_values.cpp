@@ -10,27 +10,10 @@ namespace aibo_client {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr ValueRange kNothing = {kInfinity, -kInfinity};
 constexpr ValueRange kEverything = {-kInfinity, kInfinity};
 
 constexpr double kPositionMargin = 0.2;   // rad
 constexpr double kTwoTurns = 4 * 3.1416;  // rad
-
-/// Calls a function with each model that the robot may be.
-template <typename Use>
-void forEachModel(const std::string& design, const Use& use) {
-  if (const robot_model::RobotModel* const model = robot_model::findRobotModel(design.c_str())) {
-    use(*model);
-    return;
-  }
-  for (const char* const known : {"ERS-7", "ERS-210"}) {
-    use(*robot_model::findRobotModel(known));
-  }
-}
-
-ValueRange hull(const ValueRange& one, const ValueRange& other) {
-  return {std::min(one.lowest, other.lowest), std::max(one.highest, other.highest)};
-}
 
 ValueRange possibleReadings(const robot_model::Sensor& sensor) {
   switch (sensor.kind) {
@@ -50,27 +33,19 @@ ValueRange possibleReadings(const robot_model::Sensor& sensor) {
 }  // namespace
 
 ValueRange possiblePositions(const std::string& design, int id) {
-  ValueRange range = kNothing;
-  forEachModel(design, [&](const robot_model::RobotModel& model) {
-    const int index = robot_model::findJointByIdentifier(model, id);
-    if (index != robot_model::NO_JOINT) {
-      const robot_model::Joint& joint = model.joints[index];
-      range = hull(range, {fromMicro(joint.mechanical_lowest) - kPositionMargin,
-                           fromMicro(joint.mechanical_highest) + kPositionMargin});
-    }
-  });
-  return range.lowest <= range.highest ? range : ValueRange{-kTwoTurns, kTwoTurns};
+  const robot_model::RobotModel* const model = robot_model::findRobotModel(design.c_str());
+  const int index = model == nullptr ? robot_model::NO_JOINT : robot_model::findJointByIdentifier(*model, id);
+  if (index == robot_model::NO_JOINT) {
+    return {-kTwoTurns, kTwoTurns};
+  }
+  const robot_model::Joint& joint = model->joints[index];
+  return {fromMicro(joint.mechanical_lowest) - kPositionMargin, fromMicro(joint.mechanical_highest) + kPositionMargin};
 }
 
 ValueRange possibleReadings(const std::string& design, int id) {
-  ValueRange range = kNothing;
-  forEachModel(design, [&](const robot_model::RobotModel& model) {
-    const int index = robot_model::findSensorByIdentifier(model, id);
-    if (index != robot_model::NO_SENSOR) {
-      range = hull(range, possibleReadings(model.sensors[index]));
-    }
-  });
-  return range.lowest <= range.highest ? range : kEverything;
+  const robot_model::RobotModel* const model = robot_model::findRobotModel(design.c_str());
+  const int index = model == nullptr ? robot_model::NO_SENSOR : robot_model::findSensorByIdentifier(*model, id);
+  return index == robot_model::NO_SENSOR ? kEverything : possibleReadings(model->sensors[index]);
 }
 
 bool isPossiblePlane(int width, int height) {

@@ -1,6 +1,5 @@
 /// @file possible_values.h
 /// The values that a robot's joints and sensors can have, with room for noise. No working robot sends any other value.
-/// If the design is not known, as with version 1 of the protocol, the robot may be any in the tables.
 ///
 /// The tables of robot_model.h give the ranges. How much further a measurement can be and still be right is our choice.
 #ifndef AIBO_DRIVER_CLIENT_POSSIBLE_VALUES_H
@@ -21,8 +20,8 @@ struct ValueRange {
 };
 
 /// The possible positions of a joint, in rad. They are the range in which it can be moved by hand and 0.2 rad (11
-/// degrees) more, for potentiometers that are a bit off. A joint that is not in the tables can be anywhere within two
-/// turns.
+/// degrees) more, for potentiometers that are a bit off. A joint that is not in the tables, or that of an unknown
+/// design, can be anywhere within two turns.
 /// @param design the robot's design; empty if it is not known
 /// @param id the joint's id
 ValueRange possiblePositions(const std::string& design, int id);
@@ -38,7 +37,7 @@ constexpr ValueRange kPossibleTurns = {-10, 10};
 
 /// The possible values of a sensor, in the units of SensorReading: twice its measuring range for distance, acceleration
 /// and force; ten times for touch; -40 to 125 degrees Celsius; 0 to 1.05 for the charge; 0 or 1 for a switch. If a
-/// sensor is not in the tables, every value is possible.
+/// sensor is not in the tables, or the design is not known, every value is possible.
 ValueRange possibleReadings(const std::string& design, int id);
 
 /// True if a camera can detect colours in a plane of this size. No plane is larger than a picture of double resolution.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 #include <vector>
 
 #include "aibo_client/names.h"
@@ -17,11 +18,6 @@ std::string inShort(double value) {
   char text[32];
   std::snprintf(text, sizeof(text), "%.6g", value);
   return text;
-}
-
-std::string describe(const std::string& name, double value, const ValueRange& possible) {
-  return name + " is " + inShort(value) + "; it can be " + inShort(possible.lowest) + " to " +
-         inShort(possible.highest);
 }
 
 }  // namespace
@@ -60,65 +56,53 @@ bool TelemetryIntake::comesTooOften(const Telemetry& telemetry) {
 
 void TelemetryIntake::dropImpossible(Telemetry* telemetry, const std::string& design) {
   std::vector<JointReading> joints;
-  for (JointReading& joint : telemetry->joints) {
-    if (isPossible(joint, joints, design)) {
-      checkDuty(&joint, design);
+  for (JointReading joint : telemetry->joints) {
+    const auto name = [&](const char* of) { return of + nameOfJoint(joint.id, design); };
+    const bool is_there =
+        std::any_of(joints.begin(), joints.end(), [&joint](const JointReading& each) { return each.id == joint.id; });
+    if (is_there) {
+      complain(name(""), "appears twice");
+    } else if (isPossible(joint.position, possiblePositions(design, joint.id),
+                          [&] { return name("the position of "); })) {
+      if (joint.duty && !isPossible(*joint.duty, kPossibleDuties, [&] { return name("the duty of "); })) {
+        joint.duty.reset();
+      }
       joints.push_back(joint);
     }
   }
   telemetry->joints = std::move(joints);
+  const auto is_impossible = [&](const SensorReading& sensor) {
+    return !isPossible(sensor.value, possibleReadings(design, sensor.id),
+                       [&] { return nameOfSensor(sensor.id, design); });
+  };
   std::vector<SensorReading>& sensors = telemetry->sensors;
-  sensors.erase(std::remove_if(sensors.begin(), sensors.end(),
-                               [&](const SensorReading& sensor) { return !isPossible(sensor, design); }),
-                sensors.end());
-  if (telemetry->walk && !isPossible(*telemetry->walk)) {
+  sensors.erase(std::remove_if(sensors.begin(), sensors.end(), is_impossible), sensors.end());
+  if (telemetry->walk && !isPossible(telemetry->walk->velocity)) {
     telemetry->walk.reset();
   }
 }
 
-bool TelemetryIntake::isPossible(const JointReading& joint, const std::vector<JointReading>& before,
-                                 const std::string& design) {
-  const ValueRange range = possiblePositions(design, joint.id);
-  if (!range.contains(joint.position)) {
-    return complain(Part::kJoint, joint.id,
-                    describe("the position of " + nameOfJoint(joint.id, design), joint.position, range));
+bool TelemetryIntake::isPossible(const WalkVelocity& velocity) {
+  return isPossible(velocity.forward, kPossibleWalks, [] { return "the velocity of the walk forward"; }) &&
+         isPossible(velocity.left, kPossibleWalks, [] { return "the velocity of the walk to the left"; }) &&
+         isPossible(velocity.turn, kPossibleTurns, [] { return "the velocity of the walk around itself"; });
+}
+
+/// @param name gives the name of what has this value
+template <typename Name>
+bool TelemetryIntake::isPossible(double value, const ValueRange& range, const Name& name) {
+  const bool is_possible = range.contains(value);
+  if (!is_possible) {
+    complain(name(), "is " + inShort(value) + "; it can be " + inShort(range.lowest) + " to " + inShort(range.highest));
   }
-  const bool is_there =
-      std::any_of(before.begin(), before.end(), [&joint](const JointReading& each) { return each.id == joint.id; });
-  return !is_there || complain(Part::kJoint, joint.id, nameOfJoint(joint.id, design) + " appears twice");
+  return is_possible;
 }
 
-bool TelemetryIntake::isPossible(const SensorReading& sensor, const std::string& design) {
-  const ValueRange range = possibleReadings(design, sensor.id);
-  return range.contains(sensor.value) ||
-         complain(Part::kSensor, sensor.id, describe(nameOfSensor(sensor.id, design), sensor.value, range));
-}
-
-bool TelemetryIntake::isPossible(const WalkReading& walk) {
-  const auto is_possible = [this](const char* name, double value, const ValueRange& range) {
-    return range.contains(value) ||
-           complain(Part::kWalk, 0, describe(std::string("the velocity of the walk ") + name, value, range));
-  };
-  return is_possible("forward", walk.velocity.forward, kPossibleWalks) &&
-         is_possible("to the left", walk.velocity.left, kPossibleWalks) &&
-         is_possible("around itself", walk.velocity.turn, kPossibleTurns);
-}
-
-void TelemetryIntake::checkDuty(JointReading* joint, const std::string& design) {
-  if (joint->duty && !kPossibleDuties.contains(*joint->duty)) {
-    complain(Part::kDuty, joint->id,
-             describe("the duty of " + nameOfJoint(joint->id, design), *joint->duty, kPossibleDuties));
-    joint->duty.reset();
-  }
-}
-
-/// @return always false
-bool TelemetryIntake::complain(Part part, int id, const std::string& problem) {
+void TelemetryIntake::complain(const std::string& name, const std::string& problem) {
   ++context_.counters.impossible_values;
-  if (logged_.insert({part, id}).second) {
-    context_.warn("sent an impossible value, which is dropped: " + problem);
+  if (logged_.insert(name).second) {
+    context_.warn("sent an impossible value, which is dropped: " + name + " " + problem);
   }
-  return false;
 }
 
 }  // namespace aibo_client

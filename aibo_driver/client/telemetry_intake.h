@@ -7,8 +7,6 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "aibo_client/telemetry.h"
 #include "client/possible_values.h"
@@ -38,22 +36,18 @@ class TelemetryIntake {
   void deliver(Telemetry telemetry, const std::string& design);
 
  private:
-  /// The kind of thing that has a value.
-  enum class Part { kJoint, kSensor, kDuty, kWalk };
-
   bool comesTooOften(const Telemetry& telemetry);
   void dropImpossible(Telemetry* telemetry, const std::string& design);
-  bool isPossible(const JointReading& joint, const std::vector<JointReading>& before, const std::string& design);
-  bool isPossible(const SensorReading& sensor, const std::string& design);
-  bool isPossible(const WalkReading& walk);
-  void checkDuty(JointReading* joint, const std::string& design);
-  bool complain(Part part, int id, const std::string& problem);
+  bool isPossible(const WalkVelocity& velocity);
+  template <typename Name>
+  bool isPossible(double value, const ValueRange& range, const Name& name);
+  void complain(const std::string& name, const std::string& problem);
 
   const ConnectionContext& context_;
   aibo_system::RateLimit limit_{kMostAtOnce};
   std::optional<aibo_system::RateLimit::Duration> shortest_period_;  // empty if the robot is asked for each value
   bool thinning_is_logged_ = false;
-  std::set<std::pair<Part, int>> logged_;
+  std::set<std::string> logged_;  // the names of what had an impossible value
 };
 
 }  // namespace aibo_client
