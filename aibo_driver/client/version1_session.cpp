@@ -40,12 +40,11 @@ constexpr char kWhyJointsAreRefused[] = "; are its motors on, and can the joint 
 // The server reports a joint's fault by refusing the next request of any kind about this joint.
 constexpr char kJointFault[] = "the joint does not follow its commands";
 
-// What version 1 has no request for, and the consequences.
-constexpr char kStreamFormats[] =
-    "for resolution and rate of the stream: it sends every image of its camera, at 208x160";
-constexpr char kCameraSettings[] = "to set the camera: its settings stay as they are";
-constexpr char kColorDetection[] = "to detect colours: nothing is detected";
-constexpr char kMicrophones[] = "for its microphones: nothing is heard";
+/// True if the user wants something for which version 1 has no request.
+bool areUnknown(const Settings& wanted) {
+  return wanted.format != StreamFormat() || wanted.transport == PictureTransport::kUdp ||
+         wanted.camera != CameraSettings() || wanted.colors.on || wanted.microphone.on;
+}
 
 // The reason to give when something has ended, because version 1 does not report how.
 constexpr char kUnknownEnd[] = "version 1 of the protocol does not say how it ends";
@@ -92,10 +91,11 @@ Version1Session::Version1Session(Connection& connection, ServerHabits& habits, V
 // which picture has which quality. `F` is never sent while the stream runs.
 Session::Bytes Version1Session::nextRequest(const Settings& wanted, TimePoint now) {
   poll_wanted_ = wanted.telemetry_period > 0;
-  warnOfMissing(kStreamFormats, wanted.format != StreamFormat());
-  warnOfMissing(kCameraSettings, wanted.camera != CameraSettings());
-  warnOfMissing(kColorDetection, wanted.colors.on);
-  warnOfMissing(kMicrophones, wanted.microphone.on);
+  if (areUnknown(wanted) && !std::exchange(unknown_is_logged_, true)) {
+    connection_.context.warn(
+        "speaks version 1 of the protocol: it sends every image at 208x160 by TCP, its camera keeps its settings, and "
+        "it neither detects colours nor listens");
+  }
   endJointOrders();
   if (isAnswerPending()) {
     return {};
@@ -114,15 +114,6 @@ Session::Bytes Version1Session::nextRequest(const Settings& wanted, TimePoint no
   }
   Call* const call = connection_.calls.nextForRobot(true);
   return call != nullptr && !connection_.mustWaitForSpeedLimits(*call) ? requestCall(call, now) : nextValueRequest(now);
-}
-
-/// Logs that this version has no such request. It logs this again each time the request becomes wanted.
-void Version1Session::warnOfMissing(const char* request, bool wanted) {
-  if (!wanted) {
-    missing_.erase(request);
-  } else if (missing_.insert(request).second) {
-    connection_.context.warn(std::string("speaks version 1 of the protocol, which has no request ") + request);
-  }
 }
 
 // The connection may be to a server that is frozen, or whose robot has just gone out of reach. So the client asks for a

@@ -68,7 +68,6 @@ class Version1Session final : public Session {
   Call* pendingCall() const { return connection_.calls.find(kPendingNumber); }
   Call* pendingPicture() const;
   bool isAnswerPending() const { return pending_value_ || is_trial_pending_ || pendingCall() != nullptr; }
-  void warnOfMissing(const char* request, bool wanted);
   Bytes requestTrial(const Settings& wanted, TimePoint now);
   bool mayRequestPicture(TimePoint now) const;
   bool mayPoll() const;
@@ -109,8 +108,8 @@ class Version1Session final : public Session {
   LedMode led_mode_ = LedMode::kA;                    // the mode of all LEDs, as last accepted
   bool joints_turn_ = true;                           // true: joints are next; false: waiting LEDs and ears are next
   ValuePoll poll_;
-  std::set<const char*> missing_;  // the requests that are wanted and that this version does not have
-  std::set<int> measured_joints_;  // joints that were polled successfully and have had no fault since
+  bool unknown_is_logged_ = false;  // it was logged that settings have no effect
+  std::set<int> measured_joints_;   // joints that were polled successfully and have had no fault since
   bool poll_wanted_ = false;
   bool ready_;                     // the server has answered
   bool is_trial_pending_ = false;  // the picture of requestTrial() is still to come
