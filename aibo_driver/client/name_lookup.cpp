@@ -3,8 +3,7 @@
 #include <netdb.h>
 
 #include <cstring>
-#include <exception>
-#include <mutex>
+#include <future>
 #include <thread>
 #include <utility>
 
@@ -48,9 +47,8 @@ NameLookupResult resolveNumeric(const std::string& host, int port) {
 struct NameLookup::Lookup {
   std::string host;
   int port;
-  aibo_system::Event finished;
-  std::mutex mutex;
-  NameLookupResult result;  // guarded by mutex
+  aibo_system::Event finished{};
+  std::future<NameLookupResult> result{};
 };
 
 NameLookup::NameLookup(Resolver resolver) : resolver_(std::move(resolver)) {}
@@ -59,18 +57,11 @@ void NameLookup::start(const std::string& host, int port) {
   if (lookup_ && lookup_->host == host && lookup_->port == port) {
     return;
   }
-  const auto lookup = std::make_shared<Lookup>();
-  lookup->host = host;
-  lookup->port = port;
-  std::thread([lookup, resolver = resolver_] {
-    NameLookupResult result;
-    try {
-      result = resolver(lookup->host, lookup->port);
-    } catch (const std::exception& error) {
-      result.problem = error.what();
-    }
-    const std::lock_guard<std::mutex> lock(lookup->mutex);
-    lookup->result = std::move(result);
+  const std::shared_ptr<Lookup> lookup(new Lookup{host, port});
+  std::packaged_task<NameLookupResult()> task([=, resolver = resolver_] { return resolver(host, port); });
+  lookup->result = task.get_future();
+  std::thread([lookup, task = std::move(task)]() mutable {
+    task();
     lookup->finished.raise();
   }).detach();
   lookup_ = lookup;
@@ -81,9 +72,7 @@ int NameLookup::descriptor() const {
 }
 
 NameLookupResult NameLookup::take() {
-  const auto lookup = std::exchange(lookup_, nullptr);
-  const std::lock_guard<std::mutex> lock(lookup->mutex);
-  return std::move(lookup->result);
+  return std::exchange(lookup_, nullptr)->result.get();
 }
 
 }  // namespace aibo_client

@@ -48,6 +48,7 @@ class NameLookup {
   int descriptor() const;
 
   /// Returns the result. Call it when descriptor() is readable.
+  /// @throw the exceptions of the resolver
   NameLookupResult take();
 
  private:
