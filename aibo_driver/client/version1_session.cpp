@@ -181,14 +181,13 @@ Session::Bytes Version1Session::nextJointCommand(TimePoint now) {
 /// Reports the end of each command that was answered. This version does not say when joints arrive.
 void Version1Session::endJointOrders() {
   for (auto each = joint_orders_.begin(); each != joint_orders_.end();) {
-    const auto& [number, order] = *each;
+    const auto& [number, trouble] = *each;
     if (connection_.commands.joints.has(number) || (pending_value_ && pending_value_->order == number)) {
       ++each;
       continue;
     }
-    const bool is_refused = !order.trouble.empty();
-    const ActivityEnd end = {EndedKind::kJoints, is_refused ? EndedHow::kRefused : EndedHow::kUnknown, "",
-                             is_refused ? order.trouble : kUnknownEnd, number};
+    const ActivityEnd end = {EndedKind::kJoints, trouble.empty() ? EndedHow::kUnknown : EndedHow::kRefused, "",
+                             trouble.empty() ? kUnknownEnd : trouble, number};
     each = joint_orders_.erase(each);
     connection_.context.notifier.tell(&Callbacks::on_ended, "on_ended", end);
   }
@@ -313,16 +312,11 @@ void Version1Session::onValueRefused(int code) {
   }
   const std::string reason =
       *kind == RefusedRequest::kJoints ? describeError(code) + kWhyJointsAreRefused : describeError(code);
-  std::uint64_t number = request.order;
-  if (const auto order = joint_orders_.find(number); order != joint_orders_.end()) {
-    order->second.trouble = reason;
-    if (order->second.is_accepted || connection_.commands.joints.has(number)) {
-      number = 0;  // endJointOrders() reports the end of the whole command
-    } else {
-      joint_orders_.erase(order);
-    }
+  if (request.order != 0) {
+    joint_orders_[request.order] = reason;
   }
-  connection_.refused(Refusal{*kind, RefusalCause::kRobot, {request.id}, reason, number});
+  // endJointOrders() reports the end of the whole command.
+  connection_.refused(Refusal{*kind, RefusalCause::kRobot, {request.id}, reason, 0});
 }
 
 void Version1Session::onAnswer(const protocol::ValueReply& reply) {
@@ -353,9 +347,6 @@ void Version1Session::onValue(const protocol::ValueReply& reply) {
     if (request.letter == protocol::REQUEST_JOINT) {
       connection_.context.notifier.tell(&Callbacks::on_joints_accepted, "on_joints_accepted",
                                         {{reply.identifier, position}});
-      if (const auto order = joint_orders_.find(request.order); order != joint_orders_.end()) {
-        order->second.is_accepted = true;
-      }
     }
     onLedsAccepted(reply);
     return;

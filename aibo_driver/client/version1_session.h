@@ -58,12 +58,6 @@ class Version1Session final : public Session {
     std::uint64_t order = 0;  ///< OrderTerms::number
   };
 
-  /// A command to joints of which at least one target was sent.
-  struct JointOrder {
-    bool is_accepted = false;  ///< the robot has accepted a target
-    std::string trouble{};     ///< why the robot has refused a target
-  };
-
   // The call that was sent and has not been answered, or null. pendingPicture() returns only calls for a picture.
   Call* pendingCall() const { return connection_.calls.find(kPendingNumber); }
   Call* pendingPicture() const;
@@ -103,10 +97,12 @@ class Version1Session final : public Session {
   TimePoint now_;  // when the bytes that are being parsed were read
   std::optional<ValueRequest> pending_value_;
   bool is_version_answer_pending_;
-  std::map<std::uint64_t, JointOrder> joint_orders_;  // by OrderTerms::number
-  int last_target_ = 0;                               // the id of the joint that was commanded last
-  LedMode led_mode_ = LedMode::kA;                    // the mode of all LEDs, as last accepted
-  bool joints_turn_ = true;                           // true: joints are next; false: waiting LEDs and ears are next
+  /// Commands to joints of which at least one target was sent, by OrderTerms::number: why the robot has refused a
+  /// target; empty if it has not.
+  std::map<std::uint64_t, std::string> joint_orders_;
+  int last_target_ = 0;             // the id of the joint that was commanded last
+  LedMode led_mode_ = LedMode::kA;  // the mode of all LEDs, as last accepted
+  bool joints_turn_ = true;         // true: joints are next; false: waiting LEDs and ears are next
   ValuePoll poll_;
   bool unknown_is_logged_ = false;  // it was logged that settings have no effect
   std::set<int> measured_joints_;   // joints that were polled successfully and have had no fault since

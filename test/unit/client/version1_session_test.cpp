@@ -388,7 +388,7 @@ TEST_F(Version1SessionTest, TheOrderAndTheJointAreNamed) {
                    RefusalCause::kRobot,
                    {2},
                    "error code 5; are its motors on, and can the joint move freely?",
-                   kFirstOrder},
+                   0},
                   {RefusedRequest::kEars, RefusalCause::kRobot, {1}, "error code 6", 0},
                   {RefusedRequest::kEars, RefusalCause::kRobot, {2}, "error code 7", 0},
                   {RefusedRequest::kLeds, RefusalCause::kRobot, {7}, "error code 8", 0}});
@@ -399,18 +399,16 @@ TEST_F(Version1SessionTest, AnOrderEndsOnceAndNothingSaysHow) {
   using Kind = RefusedRequest;
   const std::string why = "error code 0; are its motors on, and can the joint move freely?";
   const std::string late = "too old: it could not be sent to robot:54321 in time";
-  const auto refusal = [&](int joint, std::uint64_t number) {
-    return Refusal{Kind::kJoints, RefusalCause::kRobot, {joint}, why, number};
-  };
+  const auto refusal = [&](int joint) { return Refusal{Kind::kJoints, RefusalCause::kRobot, {joint}, why, 0}; };
   const struct {
     std::string answers;  // to joints 1 and 2: + accepted, - refused, s: stopped before it is sent, o: too old
     std::vector<EndedHow> ends;
     std::vector<Refusal> refusals;
   } rows[] = {
       {"++", {EndedHow::kUnknown}, {}},
-      {"+-", {EndedHow::kRefused}, {refusal(2, 0)}},
-      {"-+", {EndedHow::kRefused}, {refusal(1, 0)}},
-      {"--", {}, {refusal(1, 0), refusal(2, kFirstOrder)}},
+      {"+-", {EndedHow::kRefused}, {refusal(2)}},
+      {"-+", {EndedHow::kRefused}, {refusal(1)}},
+      {"--", {EndedHow::kRefused}, {refusal(1), refusal(2)}},
       {"+s", {EndedHow::kUnknown}, {{Kind::kJoints, RefusalCause::kStopped, {2}, "a stop", 0}}},
       {"+o", {EndedHow::kUnknown}, {{Kind::kJoints, RefusalCause::kTooOld, {2}, late, 0}}},
       {"ss", {}, {{Kind::kJoints, RefusalCause::kStopped, {1, 2}, "a stop", kFirstOrder}}},
