@@ -44,7 +44,6 @@ std::optional<RefusedRequest> refusedRequest(char letter) {
     case version2::REQUEST_STEER:
       return RefusedRequest::kWalk;
     case version2::REQUEST_LEDS:
-    case protocol::REQUEST_FACE_LEDS:
       return RefusedRequest::kLeds;
     case version2::REQUEST_EARS:
       return RefusedRequest::kEars;

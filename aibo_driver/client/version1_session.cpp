@@ -7,7 +7,6 @@
 #include "client/units.h"
 #include "protocol/units.h"
 #include "protocol/version2.h"
-#include "robot_model/robot_model.h"
 
 namespace aibo_client {
 namespace {
@@ -17,7 +16,6 @@ const char* partOf(char letter) {
     case protocol::REQUEST_SENSOR:
       return "sensor";
     case protocol::REQUEST_LED:
-    case protocol::REQUEST_FACE_LEDS:
       return "LED";
     case protocol::REQUEST_EARS:
       return "ear";
@@ -51,24 +49,6 @@ constexpr char kUnknownEnd[] = "version 1 of the protocol does not say how it en
 
 short toCentidegrees(double radian) {
   return protocol::centidegreesFromMicroradians(toMicro(radian));
-}
-
-// The low byte of a value.
-constexpr int kHighestIntensity = 255;
-
-// A version 1 server does not say what robot it has.
-const robot_model::RobotModel& ers7() {
-  return *robot_model::findRobotModel("ERS-7");
-}
-
-/// True if these are all LEDs of an ERS-7, and all get the same intensity and mode.
-bool areAllAlike(const std::vector<LedCommand>& leds) {
-  const robot_model::RobotModel& model = ers7();
-  const auto count = std::count_if(leds.begin(), leds.end(), [&](const LedCommand& led) {
-    return robot_model::findLedByIdentifier(model, led.id) != robot_model::NO_LED &&
-           led.intensity == leds.front().intensity && led.mode == leds.front().mode;
-  });
-  return count == model.number_of_leds;
 }
 
 }  // namespace
@@ -198,11 +178,6 @@ Session::Bytes Version1Session::nextLedOrEarCommand(TimePoint now) {
   if (!commands.ears.empty()) {
     const EarCommand ear = commands.ears.take(1).front();
     return setValue(protocol::REQUEST_EARS, ear.id, ear.drawn ? 1 : 0, now);
-  }
-  if (areAllAlike(commands.leds.items())) {
-    const LedCommand led = commands.leds.take(commands.leds.items().size()).front();
-    const int mode = led.mode == LedMode::kA ? protocol::FACE_MODE_A : protocol::FACE_MODE_A + 1;
-    return setValue(protocol::REQUEST_FACE_LEDS, mode, static_cast<short>(led.intensity), now);
   }
   const LedCommand led = commands.leds.take(1).front();
   return setValue(protocol::REQUEST_LED, led.id, static_cast<short>(led.intensity), now);
@@ -348,7 +323,10 @@ void Version1Session::onValue(const protocol::ValueReply& reply) {
       connection_.context.notifier.tell(&Callbacks::on_joints_accepted, "on_joints_accepted",
                                         {{reply.identifier, position}});
     }
-    onLedsAccepted(reply);
+    if (request.letter == protocol::REQUEST_LED) {
+      connection_.context.notifier.tell(&Callbacks::on_leds_accepted, "on_leds_accepted",
+                                        {{reply.identifier, reply.value & 255}});
+    }
     return;
   }
   habits_.unanswered_polls.erase(request.letter);
@@ -361,23 +339,6 @@ void Version1Session::onValue(const protocol::ValueReply& reply) {
     telemetry.sensors = {makeVersion1Reading(reply.identifier, reply.value)};
   }
   connection_.measurements.deliver(std::move(telemetry), "");
-}
-
-void Version1Session::onLedsAccepted(const protocol::ValueReply& reply) {
-  const int intensity = reply.value & kHighestIntensity;
-  std::vector<LedCommand> leds;
-  if (reply.letter == protocol::version2::replyKind(protocol::REQUEST_LED)) {
-    leds.push_back({reply.identifier, intensity, led_mode_});
-  } else if (reply.letter == protocol::version2::replyKind(protocol::REQUEST_FACE_LEDS)) {
-    led_mode_ = reply.identifier == protocol::FACE_MODE_A ? LedMode::kA : LedMode::kB;
-    const robot_model::RobotModel& model = ers7();
-    for (int i = 0; i < model.number_of_leds; ++i) {
-      leds.push_back({model.leds[i].identifier, intensity, led_mode_});
-    }
-  }
-  if (!leds.empty()) {
-    connection_.context.notifier.tell(&Callbacks::on_leds_accepted, "on_leds_accepted", leds);
-  }
 }
 
 Call* Version1Session::pendingPicture() const {

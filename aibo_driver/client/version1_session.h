@@ -78,7 +78,6 @@ class Version1Session final : public Session {
   void onAnswer(const protocol::ValueReply& reply);
   void onCallAnswered();
   void endJointOrders();
-  void onLedsAccepted(const protocol::ValueReply& reply);
   void onValue(const protocol::ValueReply& reply);
   void onError(int code);
   void onValueRefused(int code);
@@ -100,9 +99,8 @@ class Version1Session final : public Session {
   /// Commands to joints of which at least one target was sent, by OrderTerms::number: why the robot has refused a
   /// target; empty if it has not.
   std::map<std::uint64_t, std::string> joint_orders_;
-  int last_target_ = 0;             // the id of the joint that was commanded last
-  LedMode led_mode_ = LedMode::kA;  // the mode of all LEDs, as last accepted
-  bool joints_turn_ = true;         // true: joints are next; false: waiting LEDs and ears are next
+  int last_target_ = 0;      // the id of the joint that was commanded last
+  bool joints_turn_ = true;  // true: joints are next; false: waiting LEDs and ears are next
   ValuePoll poll_;
   bool unknown_is_logged_ = false;  // it was logged that settings have no effect
   std::set<int> measured_joints_;   // joints that were polled successfully and have had no fault since

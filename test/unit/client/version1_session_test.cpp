@@ -223,29 +223,6 @@ TEST_F(Version1SessionTest, LedsAreSetOneByOne) {
   EXPECT_EQ("L8=10", command()) << "the latest";
 }
 
-TEST_F(Version1SessionTest, AllLedsWithTheSameIntensityAndModeAreSetTogether) {
-  std::vector<LedCommand> leds;
-  for (int id = 1; id <= 26; ++id) {
-    leds.push_back({id, 100, LedMode::kB});
-  }
-  commandLeds(leds);
-  EXPECT_EQ("Y2=100", command());
-  receiveValue("Y2", 100);
-  EXPECT_EQ("", command());
-  EXPECT_THAT(leds_, testing::AllOf(testing::StartsWith("1=100B 2=100B "), testing::EndsWith(" 26=100B ")));
-  leds_.clear();
-  commandLeds({{7, 255}});
-  EXPECT_EQ("L7=255", command());
-  receiveValue("L7", 255);
-  EXPECT_EQ("7=255B ", leds_) << "its mode stays";
-  for (const LedCommand& other : {LedCommand{1, 99, LedMode::kB}, {1, 100, LedMode::kA}}) {
-    leds.front() = other;
-    commandLeds(leds);
-    EXPECT_EQ('L', command().at(0)) << "one differs";
-    receiveValue("L1", other.intensity);
-  }
-}
-
 TEST_F(Version1SessionTest, WhileAMotionIsUploadedPicturesGoOnAndEverythingElseWaits) {
   wanted_ = {true, 73, 4};
   EXPECT_EQ("W73", command());

@@ -59,8 +59,7 @@ struct Callbacks {
   /// The targets that the robot has accepted for joints, clamped to their limits.
   std::function<void(const std::vector<JointTarget>& targets)> on_joints_accepted;
   /// The LEDs that the robot has accepted, each of them once. An LED that is only on or off has intensity 0 or 255 if
-  /// the server says so; version 1 servers do not always say so. Version 1 sets modes for all LEDs at once. Until it
-  /// has done so, mode A is assumed.
+  /// the server says so; version 1 servers do not always say so. With version 1 the mode is not known; it is A here.
   std::function<void(const std::vector<LedCommand>& leds)> on_leds_accepted;
   /// The robot has accepted a velocity to walk with.
   /// @param in_force the velocity, within the robot's limits

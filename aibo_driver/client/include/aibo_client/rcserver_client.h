@@ -209,7 +209,7 @@ class RcServerClient {
   /// robot refuses.
   ///
   /// A version 1 server gets one LED after the other, and only the intensity, because its only request with a mode sets
-  /// all LEDs at once. That request is sent if a command gives all 26 LEDs of an ERS-7 the same intensity and mode.
+  /// all LEDs at once.
   ///
   /// @param leds 1..32 LEDs; each LED appears once
   /// @throw InvalidArgumentException an id, an intensity or the number of LEDs is out of range
