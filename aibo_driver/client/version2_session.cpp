@@ -125,7 +125,7 @@ Session::Bytes Version2Session::requestCameraSetting(const Settings& wanted, Tim
   *different.second = *different.first;
   const auto id = static_cast<int>(different.first - values.begin()) + 1;
   const version2::CameraValue value = {static_cast<unsigned char>(id), static_cast<unsigned char>(*different.first)};
-  return request(version2::SET_CAMERA, id, encoded(value), now, &Version2Session::onCameraSetting);
+  return request(version2::SET_CAMERA, id, encoded(value), now);
 }
 
 Session::Bytes Version2Session::requestStream(const Settings& wanted, TimePoint now) {
@@ -596,19 +596,6 @@ void Version2Session::onSteered(const Payload& payload) {
   const version2::Velocity& velocity = steered.velocity;
   connection_.context.notifier.tell(&Callbacks::on_steered, "on_steered",
                                     {velocity.forward, velocity.left, velocity.turn}, order, orderOf(steered.walk));
-}
-
-// The value in force may differ from the one that was requested.
-void Version2Session::onCameraSetting(const Payload& payload) {
-  const int id = reader_.header().id;
-  version2::CameraValue set = {reader_.header().id, 0};
-  expectGood(version2::decode(payload.data, payload.size, &set), "camera setting");
-  const bool is_newest = outstanding(version2::REQUEST_CAMERA) == 1;
-  const int requested = camera_.at(static_cast<std::size_t>(id) - 1);
-  if (is_newest && set.value != requested) {
-    connection_.context.warn("has set camera setting " + std::to_string(id) + " to " + std::to_string(set.value) +
-                             " instead of " + std::to_string(requested));
-  }
 }
 
 void Version2Session::onSound(const Payload& payload) {

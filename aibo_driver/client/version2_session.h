@@ -114,7 +114,6 @@ class Version2Session final : public Session {
   void onSound(const Payload& payload);
   void onMicrophone(const Payload& payload);
   void onSteered(const Payload& payload);
-  void onCameraSetting(const Payload& payload);
   void onCallAnswered(const Call& call, const Payload& payload);
   void onError(int number, const Payload& payload);
   void onRefusal(const OpenRequest& request, RefusalCause cause, const std::string& problem);
