@@ -2,8 +2,12 @@
 #ifndef AIBO_DRIVER_CLIENT_VALUE_POLL_H
 #define AIBO_DRIVER_CLIENT_VALUE_POLL_H
 
+#include <algorithm>
 #include <chrono>
 #include <deque>
+
+#include "protocol/version1.h"
+#include "robot_model/robot_model.h"
 
 namespace aibo_client {
 
@@ -27,7 +31,17 @@ class ValuePoll {
   };
 
   /// Begins with all joints and sensors of an ERS-7. The joints of the ERS-210 have the same identifiers.
-  explicit ValuePoll(TimePoint now);
+  explicit ValuePoll(TimePoint now) : due_at_(now) {
+    const robot_model::RobotModel& model = *robot_model::findRobotModel("ERS-7");
+    for (int i = 0; i < std::max(model.number_of_joints, model.number_of_sensors); ++i) {
+      if (i < model.number_of_joints) {
+        values_.push_back({protocol::REQUEST_JOINT, model.joints[i].identifier});
+      }
+      if (i < model.number_of_sensors) {
+        values_.push_back({protocol::REQUEST_SENSOR, model.sensors[i].identifier});
+      }
+    }
+  }
 
   /// True if there is nothing to ask for.
   bool empty() const { return values_.empty(); }
@@ -35,22 +49,20 @@ class ValuePoll {
   /// When to ask again, unless empty().
   TimePoint dueAt() const { return due_at_; }
 
-  /// True if commands have delayed the next request for long enough.
-  bool isOverdue(TimePoint now) const { return now >= due_at_ + kLongestWait; }
-
   /// The value to ask for now. Joints and sensors take turns.
-  Value take(TimePoint now);
+  Value take(TimePoint now) {
+    due_at_ = now + kPeriod;
+    std::rotate(values_.begin(), values_.begin() + 1, values_.end());
+    return values_.back();
+  }
 
-  /// Call this when the robot refused to report this value. It is not asked for again.
-  void drop(const Value& value);
-
-  /// Call this when the robot does not answer this request at all.
-  void dropAll(char request);
+  /// Does not ask any more for the values for which the condition is true.
+  template <typename Condition>
+  void dropIf(const Condition& condition) {
+    values_.erase(std::remove_if(values_.begin(), values_.end(), condition), values_.end());
+  }
 
  private:
-  template <typename Condition>
-  void dropIf(const Condition& condition);
-
   std::deque<Value> values_;  // the next one is first
   TimePoint due_at_;
 };

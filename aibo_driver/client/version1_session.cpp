@@ -62,7 +62,7 @@ Version1Session::Version1Session(Connection& connection, ServerHabits& habits, V
       ready_(answer == VersionAnswer::kVersion1) {
   for (const auto& unanswered : habits_.unanswered_polls) {
     if (unanswered.second >= ServerHabits::kUnansweredPollsLimit) {
-      poll_.dropAll(unanswered.first);
+      poll_.dropIf([&](const ValuePoll::Value& value) { return value.request == unanswered.first; });
     }
   }
 }
@@ -127,7 +127,7 @@ Session::Bytes Version1Session::requestCall(Call* call, TimePoint now) {
 
 Session::Bytes Version1Session::nextValueRequest(TimePoint now) {
   const bool has_commands = !connection_.commands.isEmptyForVersion1();
-  if (mayPoll() && (has_commands ? poll_.isOverdue(now) : now >= poll_.dueAt())) {
+  if (mayPoll() && now >= poll_.dueAt() + (has_commands ? ValuePoll::kLongestWait : std::chrono::milliseconds(0))) {
     const ValuePoll::Value value = poll_.take(now);
     pending_value_ = ValueRequest{value.request, value.id, false, now};
     return version1Command(value.request, value.id);
@@ -275,7 +275,7 @@ void Version1Session::onValueRefused(int code) {
       connection_.refused("to move joint " + std::to_string(request.id) + ": " + kJointFault);
       return;
     }
-    poll_.drop({request.letter, request.id});
+    poll_.dropIf([&](const auto& value) { return value.request == request.letter && value.id == request.id; });
   }
   const std::optional<RefusedRequest> kind = refusedRequest(request.letter);
   if (!request.set || !kind) {
