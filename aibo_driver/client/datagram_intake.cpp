@@ -15,6 +15,7 @@ void DatagramIntake::begin(const Start& start, TimePoint now) {
   next.on_ = next.used_ = true;
   next.waits_until_ = now + kConfirmation;
   next.start_ = start;
+  next.last_datagram_ = now;
   next.expectFrom(now);
   *this = std::move(next);
 }
@@ -24,23 +25,10 @@ void DatagramIntake::confirmed(TimePoint now) {
   expectFrom(now);
 }
 
-void DatagramIntake::expectFrom(TimePoint now) {
-  datagram_ = good_picture_ = {now, std::nullopt};
-}
-
 void DatagramIntake::heardByTcp(TimePoint now) {
-  datagram_.heardByTcp(now);
-  good_picture_.heardByTcp(now);
-}
-
-void DatagramIntake::Expectation::heardByTcp(TimePoint now) {
-  if (!tcp_worked && now >= last + kMissing) {
-    tcp_worked = now;
+  if (!tcp_worked_ && now >= good_picture_ + kMissing) {
+    tcp_worked_ = now;
   }
-}
-
-DatagramIntake::TimePoint DatagramIntake::Expectation::deadline(std::chrono::milliseconds patience) const {
-  return tcp_worked ? std::max(last + patience, *tcp_worked + kGrace) : TimePoint::max();
 }
 
 bool DatagramIntake::arrived(const std::uint8_t* data, std::size_t size, TimePoint now) {
@@ -61,10 +49,10 @@ bool DatagramIntake::arrived(const std::uint8_t* data, std::size_t size, TimePoi
   context_->counters.reordered_datagrams += missing < 0 ? 1 : 0;
   context_->counters.lost_datagrams += static_cast<std::uint64_t>(std::max<std::int64_t>(missing, 0));
   // After an outage, the pictures from before the outage are too old to be repeated.
-  if (now > datagram_.last + kMostPatience + 2 * pace_.interval()) {
+  if (now > last_datagram_ + kMostPatience + 2 * pace_.interval()) {
     settle(std::int64_t{datagram.picture} - 1);
   }
-  datagram_ = {now, std::nullopt};
+  last_datagram_ = now;
   pace_.arrived(datagram, now);
   requests_.arrived(now);
   if (missing > 0 && pace_.hasTimeForParity(version2::numberOfParts(datagram.jpeg_size))) {
@@ -88,7 +76,7 @@ std::optional<PictureAssembly::Whole> DatagramIntake::takeWhole(TimePoint now) {
 
 void DatagramIntake::goodPicture(std::int64_t number, TimePoint now) {
   settle(number);
-  good_picture_ = {now, std::nullopt};
+  expectFrom(now);
 }
 
 DatagramIntake::TimePoint::duration DatagramIntake::patience() const {
@@ -143,25 +131,22 @@ void DatagramIntake::refuse(const std::string& problem) {
 }
 
 DatagramIntake::TimePoint DatagramIntake::deadline(std::chrono::milliseconds extra_interval) const {
-  if (!on_) {
-    return TimePoint::max();
+  if (on_ && assembly_.givenUpInARow() >= kMostGivenUp) {
+    return last_datagram_;
   }
-  if (assembly_.givenUpInARow() >= kMostGivenUp) {
-    return datagram_.last;
-  }
-  return std::min(datagram_.deadline(kSilence + extra_interval),
-                  good_picture_.deadline(patienceWithBadOnes(extra_interval)));
+  return on_ && tcp_worked_ ? std::max(good_picture_ + kSilence + kMostGivenUp * extra_interval, *tcp_worked_ + kGrace)
+                            : TimePoint::max();
 }
 
 std::string DatagramIntake::problem(TimePoint now, std::chrono::milliseconds extra_interval) const {
-  if (on_ && assembly_.givenUpInARow() >= kMostGivenUp) {
-    return "so many datagrams are lost that no picture is complete; smaller pictures get through a weak radio link "
-           "better";
-  }
   if (now < deadline(extra_interval)) {
     return "";
   }
-  if (now < datagram_.deadline(kSilence + extra_interval)) {
+  if (assembly_.givenUpInARow() >= kMostGivenUp) {
+    return "so many datagrams are lost that no picture is complete; smaller pictures get through a weak radio link "
+           "better";
+  }
+  if (now < last_datagram_ + kSilence) {
     return "datagrams come, but no good picture: too many are lost, or somebody else sends some in the robot's name";
   }
   return "no datagram has come for 1 s, while TCP works; a firewall, a NAT or a tunnel between robot and computer does "

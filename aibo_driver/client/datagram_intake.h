@@ -36,13 +36,13 @@ class DatagramIntake {
   static constexpr std::chrono::milliseconds kLeastPatience{30};
   static constexpr std::chrono::milliseconds kMostPatience{100};
 
-  /// If no datagram has come for this long although TCP works, something on the way swallows them. If no good picture
-  /// has come in the time for kMostGivenUp pictures, most datagrams get lost, or somebody forges them.
+  /// If no good picture has come for this long, and in the time for kMostGivenUp pictures, although TCP works,
+  /// something on the way swallows datagrams, most get lost, or somebody forges them.
   static constexpr std::chrono::milliseconds kSilence{1000};
-  /// While the radio is out, TCP is silent, too. So the silence counts only if TCP has worked after datagrams were
+  /// While the radio is out, TCP is silent, too. So the silence counts only if TCP has worked after pictures were
   /// missing for this long.
   static constexpr std::chrono::milliseconds kMissing{500};
-  /// After an outage, an answer by TCP may come first. Then the next datagram gets this much time.
+  /// After an outage, an answer by TCP may come first. Then the next picture gets this much time.
   static constexpr std::chrono::milliseconds kGrace{200};
   /// After this many incomplete pictures in a row, the client goes back to TCP. If each picture has 4 datagrams and a
   /// tenth of them is lost, this happens by chance once in three years.
@@ -63,8 +63,11 @@ class DatagramIntake {
   void end() { on_ = false; }
   bool on() const { return on_; }
 
-  /// Call this when the stream was switched on or changed: a datagram is due from now on.
-  void expectFrom(TimePoint now);
+  /// Call this when the stream was switched on or changed: a picture is due from now on.
+  void expectFrom(TimePoint now) {
+    good_picture_ = now;
+    tcp_worked_.reset();
+  }
 
   /// Call this when something has come by TCP.
   void heardByTcp(TimePoint now);
@@ -99,18 +102,6 @@ class DatagramIntake {
   bool wereUsed() const { return used_; }
 
  private:
-  /// Something that must come now and then.
-  struct Expectation {
-    TimePoint last;                       // when it last came, or since when it is due
-    std::optional<TimePoint> tcp_worked;  // when something first came by TCP while this was missing for kMissing
-
-    void heardByTcp(TimePoint now);
-    TimePoint deadline(std::chrono::milliseconds patience) const;
-  };
-
-  static std::chrono::milliseconds patienceWithBadOnes(std::chrono::milliseconds extra_interval) {
-    return kSilence + kMostGivenUp * extra_interval;
-  }
   TimePoint::duration patience() const;
   bool isPossible(const protocol::version2::PictureDatagram& datagram) const;
   void addPart(const protocol::version2::PictureDatagram& datagram, const std::uint8_t* data, TimePoint now);
@@ -123,8 +114,10 @@ class DatagramIntake {
   Start start_;
   bool used_ = false;
   bool warned_ = false;
-  Expectation datagram_;
-  Expectation good_picture_;
+  TimePoint last_datagram_;  // when the last datagram came
+  TimePoint good_picture_;   // when the last good picture came, or since when one is due
+  std::optional<TimePoint>
+      tcp_worked_;  // when something first came by TCP while good pictures were missing for kMissing
   std::optional<std::uint32_t> loss_to_report_;
   LinkPace pace_;
   RepeatRequests requests_;
