@@ -74,87 +74,87 @@ class RcServerClient {
   /// No callback runs after it has returned. Further calls do nothing.
   void stop() noexcept;
 
-  /// Switches the stream of pictures on or off. It takes effect at once if connected, otherwise as soon as there is a
-  /// connection, and again after each reconnect. It sends nothing if the stream is already as wanted.
+  /// @name Settings
+  /// A setting takes effect at once if connected, otherwise as soon as there is a connection, and again after each
+  /// reconnect. A robot can refuse a setting, and a server of version 1 lacks all of them except for the stream, its
+  /// quality and telemetry. In both cases the log says so.
+  /// @throw InvalidArgumentException an argument is out of range
+  /// @{
+
+  /// Switches the stream of pictures on or off. It sends nothing if the stream is already as wanted.
   void setStreaming(bool on);
 
   /// Sets the quality of the stream's pictures. A version 2 server changes a running stream at once; a version 1 server
   /// uses the new quality when the stream is next started.
   /// @param quality 1..100
-  /// @throw InvalidArgumentException quality is out of range
   void setJpegQuality(int quality);
 
   /// The last quality that setJpegQuality() set, 1..100. At first it is ClientOptions::jpeg_quality.
   int jpegQuality() const;
 
-  /// Sets the resolution and the rate of the stream. A version 2 server changes a running stream at once. A version 1
-  /// server can only send every image in Resolution::kHigh, and a camera may lack the bands for Resolution::kDouble. In
-  /// both cases the stream has Resolution::kHigh, and the log says so.
-  /// @throw InvalidArgumentException every_nth_image is out of range
+  /// Sets the resolution and the rate of the stream. A running stream changes at once. A version 1 server can only send
+  /// every image in Resolution::kHigh. A camera may lack the bands for Resolution::kDouble; then the stream has
+  /// Resolution::kHigh.
   void setStreamFormat(const StreamFormat& format);
 
   /// The last format that setStreamFormat() set.
   StreamFormat streamFormat() const;
 
-  /// Sets how the pictures of the stream are sent. It takes effect as setStreaming() does. If the server speaks
-  /// version 1, the pictures come by TCP, and the log says so.
+  /// Sets how the pictures of the stream are sent. If the server speaks version 1, they come by TCP.
   ///
   /// A datagram is accepted only from the robot's address. A picture is delivered when all its datagrams have come, but
-  /// never after a newer picture. The pictures come by TCP if nothing comes by UDP for 1 s although TCP works, or if 20
+  /// never after a newer picture. The pictures come by TCP if none comes by UDP for 1 s although TCP works, or if 20
   /// pictures in a row have lost a datagram: see ConnectionStatus::transport_problem. The robot is asked for a test
   /// datagram 10 to 160 s later, and UDP is used again when it comes. UDP is also tried again when this is set to TCP
   /// and then to UDP.
   void setPictureTransport(PictureTransport transport);
 
-  /// Sets the camera. It takes effect as setStreaming() does. The robot resets the camera when the connection ends.
-  /// Picture::settings has the settings with which a picture was taken. A server that speaks version 1 cannot set its
-  /// camera, and a robot may refuse a setting. In both cases the log says so.
-  /// @throw InvalidArgumentException a setting is out of range
+  /// Sets the camera. The robot resets the camera when the connection ends. Picture::settings has the settings with
+  /// which a picture was taken.
   void setCameraSettings(const CameraSettings& settings);
 
-  /// Switches the detection of colours on or off. It takes effect as setStreaming() does, and does not need the stream.
-  /// A server that speaks version 1 detects nothing. The log then says so once.
-  /// @throw InvalidArgumentException every_nth_image is out of range
+  /// Switches the detection of colours on or off. It does not need the stream.
   void setColorDetection(const ColorDetection& detection);
 
-  /// Sets the colours that a channel detects. They replace its old ones. The table is sent while the detection is on,
-  /// and again after each reconnect. If the robot refuses it, for example because its camera does not have this
-  /// channel, the log says so.
+  /// Sets the colours that a channel detects. They replace its old ones. The table is sent while the detection is on.
+  /// The robot refuses it if its camera does not have this channel.
   /// @param channel 0..7
   /// @param table null means that the channel detects nothing any more
-  /// @throw InvalidArgumentException channel is out of range, or a range of the table goes beyond 0..255 or has a
-  ///   minimum above its maximum
+  /// @throw InvalidArgumentException also if a range of the table goes beyond 0..255 or has a minimum above its maximum
   void setColorTable(int channel, ColorTablePtr table);
 
-  /// Switches the robot's microphones on or off. It takes effect as setStreaming() does, and does not need the stream.
-  /// Two channels at 16000 samples/s take 520 kbit/s. The robot refuses unless its RCSERVER.CFG allows it
-  /// (ALLOW_MICROPHONE), and on_refused reports this. A server that speaks version 1 has no microphones, and the log
-  /// says so once.
-  /// @throw InvalidArgumentException there is no such number of channels, or no such rate
+  /// Switches the robot's microphones on or off. It does not need the stream. Two channels at 16000 samples/s take 520
+  /// kbit/s. The robot refuses unless its RCSERVER.CFG allows it (ALLOW_MICROPHONE), and on_refused reports this.
   void setMicrophone(const MicrophoneSettings& settings);
 
-  /// Sets how often the robot sends telemetry, in OPEN-R frames of 8 ms. It takes effect as setStreaming() does.
+  /// Sets how often the robot sends telemetry, in OPEN-R frames of 8 ms.
   ///
   /// A version 1 server sends no telemetry by itself, so the client asks it for joints and sensors in turn. It asks for
   /// each about once a second, whatever the period, so that the answers hardly slow down the stream. Such a server does
   /// not say which robot it runs on, so the client assumes an ERS-7.
   ///
   /// @param frames 0..65535; 0 means no telemetry; 4 (32 ms) is as often as the robot measures
-  /// @throw InvalidArgumentException frames is out of range
   void setTelemetryPeriod(int frames);
+  /// @}
 
   /// True if a stream has been requested over the present connection and has not been stopped since.
   bool streaming() const;
 
-  /// Sends joints to positions, all in one request. It returns without waiting for the answer. The answer goes to
-  /// on_joints_accepted, or to on_refused if the robot refuses. Targets with a speed first limit the speeds of their
-  /// joints, as setJointSpeedLimits() does.
-  ///
-  /// A command is carried out once or not at all. Without a connection it is refused. If commands come faster than the
-  /// robot answers, each joint goes to its latest target, and older targets that have not been sent are dropped.
-  /// on_refused reports that the last target of a command was dropped, or that it reached the robot too late. on_ended
-  /// reports that no joint moves for this command any more. The command is done if each joint that no other order has
-  /// taken was measured within 0.05 rad of its target.
+  /// @name Commands
+  /// Each function sends a request and returns without waiting for the answer. The answer goes to the callback that the
+  /// function names, or to on_refused if the robot refuses. A command is carried out once or not at all: nothing is
+  /// repeated after a reconnect. If commands come faster than the robot answers, each joint, LED and ear gets its
+  /// latest command, and the walk its latest velocity. Older ones that have not been sent are dropped.
+  /// @throw InvalidArgumentException an argument is out of range
+  /// @throw NetworkException the robot is not connected; the message says why and what to check, and kind() names the
+  ///   reason
+  /// @throw StoppedException stop() was called
+  /// @{
+
+  /// Sends joints to positions, all in one request, and then calls on_joints_accepted. Targets with a speed first limit
+  /// the speeds of their joints, as setJointSpeedLimits() does. on_refused reports that the last target of a command
+  /// was dropped, or that it reached the robot too late. on_ended reports that no joint moves for this command any
+  /// more. The command is done if each joint that no other order has taken was measured within 0.05 rad of its target.
   ///
   /// A version 1 server gets one joint at a time, each after the answer to the previous one. Such a server does not
   /// know durations, so the joints move as fast as their speed limits allow. The terms say until when the first target
@@ -163,22 +163,15 @@ class RcServerClient {
   /// @param targets 1..32 joints; each joint appears once
   /// @param duration 0..65535 ms until all joints arrive; 0 means that each moves as fast as its limits allow
   /// @param terms the latest time at which the command may be sent, and the order's number
-  /// @throw InvalidArgumentException an id, a position, the number of joints or the duration is out of range
-  /// @throw NetworkException the robot is not connected; the message says why and what to check, and kind() names the
-  ///   reason
-  /// @throw StoppedException stop() was called
   void commandJoints(const std::vector<JointTarget>& targets, std::chrono::milliseconds duration,
                      const OrderTerms& terms = {});
 
   /// Sets how fast joints may move in all movements. The robot itself keeps the limits. They are sent before later
-  /// commands to the joints, under the same rules, unless the robot has them already. After a reconnect they are not
-  /// sent again.
+  /// commands to the joints, unless the robot has them already.
   /// @param limits 1..32 joints; each joint appears once
-  /// @throw Exception the exceptions of commandJoints()
   void setJointSpeedLimits(const std::vector<JointSpeedLimit>& limits);
 
-  /// Makes the robot walk with a velocity. It returns without waiting for the answer. The answer goes to on_steered, or
-  /// to on_refused if the robot refuses.
+  /// Makes the robot walk with a velocity, and then calls on_steered.
   ///
   /// The robot stops walking and stands 500 ms after the last call, so call this again and again. A velocity of 0 stops
   /// it at once, in an orderly way. A robot that does not stand yet first stands up.
@@ -188,41 +181,30 @@ class RcServerClient {
   /// a refusal by the robot. A velocity of 0 is sent before everything that waits, except for what stops the robot.
   /// Only a newer velocity of 0 and a stop drop it.
   ///
-  /// Only the newest velocity counts. on_refused reports an older one that was dropped before it was sent. It also
-  /// reports a velocity that was dropped because of hold(), takePosture(), motors off or a command to the legs. Without
-  /// a connection a velocity is refused, and nothing is repeated after a reconnect.
+  /// on_refused reports a velocity that was dropped for a newer one or because of hold(), takePosture(), motors off or
+  /// a command to the legs.
   ///
   /// @param velocity at most 32.767 m/s and rad/s; the robot keeps its limits (RobotInfo::walk_limits)
   /// @param terms until when the velocity may reach the robot, and its number; a velocity of 0 is never too old
-  /// @throw InvalidArgumentException the velocity is out of range or not a number
-  /// @throw NetworkException the robot is not connected; the message says why and what to check, and kind() names the
-  ///   reason
   /// @throw CommandException the server speaks version 1 or lacks the capability `S`
-  /// @throw StoppedException stop() was called
   void steer(const WalkVelocity& velocity, const OrderTerms& terms = {});
 
   /// Changes ClientOptions::guard_walks. The change takes effect at the next call of steer(), even during a walk.
   void guardWalks(bool on);
 
-  /// Sets LEDs. It returns without waiting, under the same rules as commandJoints(). If commands come faster than the
-  /// robot answers, each LED gets its latest command. The answer goes to on_leds_accepted, or to on_refused if the
-  /// robot refuses.
+  /// Sets LEDs, and then calls on_leds_accepted.
   ///
   /// A version 1 server gets one LED after the other, and only the intensity, because its only request with a mode sets
   /// all LEDs at once.
   ///
   /// @param leds 1..32 LEDs; each LED appears once
-  /// @throw InvalidArgumentException an id, an intensity or the number of LEDs is out of range
-  /// @throw NetworkException the robot is not connected; the message says why and what to check
-  /// @throw StoppedException stop() was called
   void commandLeds(const std::vector<LedCommand>& leds);
 
   /// Flicks the ears. The robot releases a drawn ear after 128 ms, because the ear's magnet must not stay energised.
-  /// The function returns without waiting, like commandLeds().
   /// @param left true: draw the left ear; false: release it at once
   /// @param right true: draw the right ear; false: release it at once
-  /// @throw Exception the exceptions of commandLeds()
   void commandEars(bool left, bool right);
+  /// @}
 
   /// @name Requests that wait for their answer
   /// Each function sends one request and waits for its answer, at most as long as `timeout` says, 1 ms..1 h. The
