@@ -233,7 +233,7 @@ void ConnectionLoop::listen() {
   }
   const TimePoint now = steady_clock::now();  // the callbacks may have taken long
   session_->checkDeadlines(now);
-  for (const Session::Bytes& reply : session_->takeReplies(now)) {
+  if (const Session::Bytes reply = session_->takeReply(now); !reply.empty()) {
     transport_->datagrams().reply(reply.data(), reply.size());
   }
   if (session_->ready()) {  // the robot may report this before its hello

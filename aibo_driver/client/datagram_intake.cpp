@@ -43,22 +43,27 @@ bool DatagramIntake::arrived(const std::uint8_t* data, std::size_t size, TimePoi
     refuse("its number is impossible");
     return false;
   }
+  if (datagram.is_parity) {
+    return true;  // this client never asks for one
+  }
   const std::int64_t missing = datagram.sequence - next_sequence_;
   next_sequence_ += std::max<std::int64_t>(missing + 1, 0);
   ++context_->counters.datagrams;
   context_->counters.reordered_datagrams += missing < 0 ? 1 : 0;
   context_->counters.lost_datagrams += static_cast<std::uint64_t>(std::max<std::int64_t>(missing, 0));
-  // After an outage, the pictures from before the outage are too old to be repeated.
-  if (now > last_datagram_ + kMostPatience + 2 * pace_.interval()) {
+  if (now > last_datagram_ + kOutage) {
     settle(std::int64_t{datagram.picture} - 1);
   }
-  last_datagram_ = now;
-  pace_.arrived(datagram, now);
-  requests_.arrived(now);
-  if (missing > 0 && pace_.hasTimeForParity(version2::numberOfParts(datagram.jpeg_size))) {
-    loss_to_report_ = datagram.picture;
+  if (missing == 0 && datagram.picture == last_picture_) {
+    const TimePoint::duration spacing = now - last_datagram_;
+    spacing_ = spacing_ == TimePoint::duration::zero() ? spacing : spacing_ + (spacing - spacing_) / 16;
   }
-  addPart(datagram, data, now);
+  last_picture_ = datagram.picture;
+  last_datagram_ = now;
+  requests_.arrived(now);
+  if (assembly_.add(datagram, data + version2::DATAGRAM_HEADER_SIZE, now) == PictureAssembly::Result::kContradiction) {
+    refuse("other parts of its picture describe the picture differently");
+  }
   return true;
 }
 
@@ -81,7 +86,7 @@ void DatagramIntake::goodPicture(std::int64_t number, TimePoint now) {
 
 DatagramIntake::TimePoint::duration DatagramIntake::patience() const {
   constexpr int kDatagrams = 6;
-  return std::clamp<TimePoint::duration>(kDatagrams * pace_.spacing(), kLeastPatience, kMostPatience);
+  return std::clamp<TimePoint::duration>(kDatagrams * spacing_, kLeastPatience, kMostPatience);
 }
 
 void DatagramIntake::settle(std::int64_t number) {
@@ -90,19 +95,13 @@ void DatagramIntake::settle(std::int64_t number) {
   context_->counters.lost_pictures += assembly_.lost() - lost;
 }
 
-std::vector<DatagramIntake::Bytes> DatagramIntake::takeReplies(TimePoint now) {
-  std::vector<Bytes> replies;
-  if (!on_) {
-    return replies;
+DatagramIntake::Bytes DatagramIntake::takeReply(TimePoint now) {
+  auto status = on_ ? requests_.next(assembly_, spacing_, now) : std::nullopt;
+  if (!status) {
+    return {};
   }
-  if (auto status = requests_.next(assembly_, pace_.spacing(), now)) {
-    status->picture += start_.picture;
-    replies.push_back(encoded(*status));
-  }
-  if (const auto picture = std::exchange(loss_to_report_, std::nullopt)) {
-    replies.push_back(encoded(version2::LossReport{*picture + start_.picture}));
-  }
-  return replies;
+  status->picture += start_.picture;
+  return encoded(*status);
 }
 
 DatagramIntake::TimePoint DatagramIntake::nextLook() const {
@@ -111,15 +110,7 @@ DatagramIntake::TimePoint DatagramIntake::nextLook() const {
   }
   const TimePoint whole = assembly_.endOfWaiting(patience());
   return std::min(whole == TimePoint::max() ? whole : std::max(whole, waits_until_),
-                  requests_.deadline(assembly_, pace_.spacing()));
-}
-
-void DatagramIntake::addPart(const version2::PictureDatagram& datagram, const std::uint8_t* data, TimePoint now) {
-  const std::uint64_t repaired = assembly_.repaired();
-  if (assembly_.add(datagram, data + version2::DATAGRAM_HEADER_SIZE, now) == PictureAssembly::Result::kContradiction) {
-    refuse("other parts of its picture describe the picture differently");
-  }
-  context_->counters.repaired_datagrams += assembly_.repaired() - repaired;
+                  requests_.deadline(assembly_, spacing_));
 }
 
 void DatagramIntake::refuse(const std::string& problem) {

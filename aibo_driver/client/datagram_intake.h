@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "client/link_pace.h"
 #include "client/picture_assembly.h"
 #include "client/picture_intake.h"
 #include "client/repeat_requests.h"
@@ -32,6 +31,8 @@ class DatagramIntake {
   /// The longest time that pictures by UDP wait for the robot's answer by TCP. They have to wait for it, because
   /// pictures by TCP may come before it.
   static constexpr std::chrono::milliseconds kConfirmation{100};
+  /// After this time without a datagram, pictures that were begun before are too old to be repeated.
+  static constexpr std::chrono::milliseconds kOutage{200};
   /// A whole picture waits for those before it as long as six datagrams take, but within these limits.
   static constexpr std::chrono::milliseconds kLeastPatience{30};
   static constexpr std::chrono::milliseconds kMostPatience{100};
@@ -84,8 +85,9 @@ class DatagramIntake {
   /// @param number PictureAssembly::Whole::number
   void goodPicture(std::int64_t number, TimePoint now);
 
-  /// What to send back to the robot now: which pictures have come, and what was lost.
-  std::vector<Bytes> takeReplies(TimePoint now);
+  /// What to send back to the robot now: which pictures have come, and what is missing.
+  /// @return a datagram; empty if there is nothing to say
+  Bytes takeReply(TimePoint now);
 
   /// The latest time to call takeWhole() and takeReplies() again.
   TimePoint nextLook() const;
@@ -104,7 +106,6 @@ class DatagramIntake {
  private:
   TimePoint::duration patience() const;
   bool isPossible(const protocol::version2::PictureDatagram& datagram) const;
-  void addPart(const protocol::version2::PictureDatagram& datagram, const std::uint8_t* data, TimePoint now);
   void settle(std::int64_t number);
   void refuse(const std::string& problem);
 
@@ -117,9 +118,9 @@ class DatagramIntake {
   TimePoint last_datagram_;  // when the last datagram came
   TimePoint good_picture_;   // when the last good picture came, or since when one is due
   std::optional<TimePoint>
-      tcp_worked_;  // when something first came by TCP while good pictures were missing for kMissing
-  std::optional<std::uint32_t> loss_to_report_;
-  LinkPace pace_;
+      tcp_worked_;                  // when something first came by TCP while good pictures were missing for kMissing
+  TimePoint::duration spacing_{0};  // the mean time between two datagrams of a picture; 0 until it is known
+  std::int64_t last_picture_ = -1;  // the picture of the last datagram
   RepeatRequests requests_;
   std::int64_t next_sequence_ = 0;  // the number of the next datagram if none is lost
   PictureAssembly assembly_;

@@ -9,7 +9,6 @@ namespace version2 = protocol::version2;
 
 PictureAssembly::Result PictureAssembly::add(const version2::PictureDatagram& datagram, const unsigned char* bytes,
                                              TimePoint now) {
-  newest_has_parity_ = newest_has_parity_ || (datagram.is_parity && datagram.picture == newest_);
   Incomplete* const picture = find(datagram, now);
   if (picture == nullptr || picture->jpeg.size() != datagram.jpeg_size ||
       picture->header.frame_number != datagram.image.frame_number) {
@@ -18,7 +17,6 @@ PictureAssembly::Result PictureAssembly::add(const version2::PictureDatagram& da
   if (!take(datagram, bytes, *picture)) {
     return Result::kUseless;
   }
-  repair(*picture, datagram.part / version2::PARTS_PER_PARITY);
   if (picture->missing == 0) {
     picture->completed = now;
   }
@@ -60,7 +58,7 @@ version2::DatagramStatus PictureAssembly::status(bool all_sent) const {
   }
   const Incomplete& picture = found->second;
   for (std::size_t part = 0; part < picture.has_part.size(); ++part) {
-    if (picture.has_part[part] || !(all_sent || has_newer || isLost(picture, part))) {
+    if (picture.has_part[part] || !(all_sent || has_newer || part < picture.sent)) {
       continue;
     }
     status.first_part = status.missing == 0 ? static_cast<unsigned short>(part) : status.first_part;
@@ -68,20 +66,6 @@ version2::DatagramStatus PictureAssembly::status(bool all_sent) const {
     status.missing |= bit < version2::DatagramStatus::MOST_MISSING ? 1U << bit : 0;
   }
   return status;
-}
-
-/// True if later datagrams have come, and no parity can replace the part.
-bool PictureAssembly::isLost(const Incomplete& picture, std::size_t part) {
-  const std::size_t group = part / version2::PARTS_PER_PARITY;
-  const std::size_t begin = group * version2::PARTS_PER_PARITY;
-  const std::size_t end = std::min(begin + version2::PARTS_PER_PARITY, picture.sent);
-  if (part >= picture.sent) {
-    return false;
-  }
-  const auto first = picture.has_part.begin();
-  return !picture.is_protected || !picture.parities[group].empty() ||
-         picture.sent > begin + version2::PARTS_PER_PARITY ||
-         std::count(first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end), false) > 1;
 }
 
 void PictureAssembly::settle(std::int64_t number) {
@@ -94,52 +78,18 @@ void PictureAssembly::settle(std::int64_t number) {
   given_up_in_a_row_ = 0;
 }
 
-/// @return false if the picture already has this part or parity
+/// @return false if the picture already has this part
 bool PictureAssembly::take(const version2::PictureDatagram& datagram, const unsigned char* bytes, Incomplete& picture) {
   const std::size_t part = datagram.part;
-  const std::size_t size = version2::sizeOfPart(datagram.jpeg_size, part);
-  const std::size_t sent = part + (datagram.is_parity ? version2::PARTS_PER_PARITY : 1);
-  picture.sent = std::max(picture.sent, std::min(sent, picture.has_part.size()));
-  if (datagram.is_parity) {
-    std::vector<std::uint8_t>& parity = picture.parities[part / version2::PARTS_PER_PARITY];
-    if (!parity.empty()) {
-      return false;
-    }
-    parity.assign(bytes, bytes + size);
-    return true;
-  }
+  picture.sent = std::max(picture.sent, part + 1);
   if (picture.has_part[part]) {
     return false;
   }
   picture.has_part[part] = true;
   --picture.missing;
-  std::copy_n(bytes, size, picture.jpeg.data() + part * version2::DATAGRAM_PART_SIZE);
+  std::copy_n(bytes, version2::sizeOfPart(datagram.jpeg_size, part),
+              picture.jpeg.data() + part * version2::DATAGRAM_PART_SIZE);
   return true;
-}
-
-/// If a group lacks only one part, makes it from the others and their parity.
-void PictureAssembly::repair(Incomplete& picture, std::size_t group) {
-  const std::size_t begin = group * version2::PARTS_PER_PARITY;
-  const std::size_t end = std::min(begin + version2::PARTS_PER_PARITY, picture.has_part.size());
-  const auto first = picture.has_part.begin() + static_cast<std::ptrdiff_t>(begin);
-  const auto last = picture.has_part.begin() + static_cast<std::ptrdiff_t>(end);
-  std::vector<std::uint8_t> sum = picture.parities[group];
-  if (sum.empty() || std::count(first, last, false) != 1) {
-    return;
-  }
-  const std::size_t size = picture.jpeg.size();
-  for (std::size_t part = begin; part < end; ++part) {
-    if (picture.has_part[part]) {
-      version2::addToParity(picture.jpeg.data() + part * version2::DATAGRAM_PART_SIZE, version2::sizeOfPart(size, part),
-                            sum.data());
-    }
-  }
-  const auto lost = static_cast<std::size_t>(std::find(first, last, false) - picture.has_part.begin());
-  std::copy_n(sum.begin(), version2::sizeOfPart(size, lost),
-              picture.jpeg.begin() + static_cast<std::ptrdiff_t>(lost * version2::DATAGRAM_PART_SIZE));
-  picture.has_part[lost] = true;
-  --picture.missing;
-  ++repaired_;
 }
 
 /// @return null if the picture is too late, because a newer one has come
@@ -157,17 +107,8 @@ PictureAssembly::Incomplete* PictureAssembly::find(const version2::PictureDatagr
     giveUpOldest();
   }
   Incomplete& picture = incomplete_[number];
-  picture = {datagram.image,
-             std::vector<std::uint8_t>(datagram.jpeg_size),
-             std::vector<bool>(parts),
-             std::vector<std::vector<std::uint8_t>>(version2::numberOfParities(parts)),
-             parts,
-             now,
-             newest_has_parity_};
-  if (number > newest_) {
-    newest_ = number;
-    newest_has_parity_ = false;
-  }
+  picture = {datagram.image, std::vector<std::uint8_t>(datagram.jpeg_size), std::vector<bool>(parts), parts, now};
+  newest_ = std::max(newest_, number);
   return &picture;
 }
 

@@ -14,9 +14,8 @@
 namespace aibo_client {
 
 /// Puts the parts of pictures together. Only as many pictures as the robot keeps may be incomplete at a time. A newer
-/// picture takes the place of the oldest one, and a whole picture replaces all older ones. A lost part is made from the
-/// parity of its group, if that has come. Otherwise, the robot can be asked for it. In that case, a whole picture may
-/// have to wait for those before it.
+/// picture takes the place of the oldest one, and a whole picture replaces all older ones. The robot can be asked for a
+/// lost part. Then a whole picture may have to wait for those before it.
 ///
 /// Datagrams can be forged. So only a good picture makes earlier ones too late.
 class PictureAssembly {
@@ -37,8 +36,9 @@ class PictureAssembly {
     kContradiction  ///< the picture cannot have this part, because other parts describe it differently
   };
 
-  /// Adds a part, or a parity.
-  /// @param bytes the bytes of the part or parity, as many as the datagram says
+  /// Adds a part.
+  /// @param datagram no parity
+  /// @param bytes the bytes of the part, as many as the datagram says
   Result add(const protocol::version2::PictureDatagram& datagram, const unsigned char* bytes, TimePoint now);
 
   /// Takes the oldest whole picture. It is newer than all that were settled. Call settle() if it is good.
@@ -50,7 +50,7 @@ class PictureAssembly {
   TimePoint endOfWaiting(TimePoint::duration patience) const;
 
   /// The status to send to the robot.
-  /// @param all_sent false: parts that may still be on their way, or that a parity may still replace, are not asked for
+  /// @param all_sent false: parts that may still be on their way are not asked for
   protocol::version2::DatagramStatus status(bool all_sent) const;
 
   /// True if a part is missing from a picture that was begun, or from one before it.
@@ -65,9 +65,6 @@ class PictureAssembly {
   /// How many pictures before the last settled one were not whole. This includes pictures of which nothing came.
   std::uint64_t lost() const { return lost_; }
 
-  /// How many parts were made from parities.
-  std::uint64_t repaired() const { return repaired_; }
-
   /// How many pictures in a row were begun and given up since the last settled one.
   int givenUpInARow() const { return given_up_in_a_row_; }
 
@@ -76,28 +73,22 @@ class PictureAssembly {
     protocol::version2::ImageHeader header;
     std::vector<std::uint8_t> jpeg;
     std::vector<bool> has_part;
-    std::vector<std::vector<std::uint8_t>> parities;  // one for each group; empty until it has come
     std::size_t missing;
     TimePoint began;
-    bool is_protected = false;  // parities are expected
-    std::size_t sent = 0;       // the robot has sent at least this many parts
+    std::size_t sent = 0;  // the robot has sent at least this many parts
     TimePoint completed{};
   };
 
   static bool take(const protocol::version2::PictureDatagram& datagram, const unsigned char* bytes,
                    Incomplete& picture);
-  static bool isLost(const Incomplete& picture, std::size_t part);
   std::int64_t nextWanted() const;
-  void repair(Incomplete& picture, std::size_t group);
   Incomplete* find(const protocol::version2::PictureDatagram& datagram, TimePoint now);
   void giveUpOldest();
 
   std::map<std::int64_t, Incomplete> incomplete_;  // the key is the picture's number
   std::int64_t last_settled_ = -1;                 // the number of the newest settled picture
   std::int64_t newest_ = -1;                       // the newest picture of which a part has come
-  bool newest_has_parity_ = false;
   std::uint64_t lost_ = 0;
-  std::uint64_t repaired_ = 0;
   int given_up_in_a_row_ = 0;
 };
 

@@ -61,8 +61,9 @@ class Session {
   /// @throw the exceptions of bytesArrived()
   virtual bool datagramArrived(const std::uint8_t* data, std::size_t size, TimePoint now) = 0;
 
-  /// The datagrams to send to the server now. Call this after datagramArrived() and checkDeadlines().
-  virtual std::vector<Bytes> takeReplies(TimePoint now) = 0;
+  /// The datagram to send to the server now; empty if there is none. Call this after datagramArrived() and
+  /// checkDeadlines().
+  virtual Bytes takeReply(TimePoint now) = 0;
 
   /// Call this when nextDeadline() has passed and everything that had arrived until then has been handed in.
   /// @throw Fault something was due and did not come

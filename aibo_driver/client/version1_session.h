@@ -44,7 +44,7 @@ class Version1Session final : public Session {
   Bytes nextRequest(const Settings& wanted, TimePoint now) override;
   void bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) override;
   bool datagramArrived(const std::uint8_t*, std::size_t, TimePoint) override { return false; }  // it has none
-  std::vector<Bytes> takeReplies(TimePoint) override { return {}; }
+  Bytes takeReply(TimePoint) override { return {}; }
   void checkDeadlines(TimePoint now) override;
   TimePoint nextDeadline() const override;
 

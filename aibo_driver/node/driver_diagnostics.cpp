@@ -147,7 +147,6 @@ void DriverDiagnostics::reportTransport(DiagnosticStatusWrapper& status) const {
           {"datagrams out of order", client_.reordered_datagrams},
           {"datagrams that are no part of a picture", client_.bad_datagrams},
           {"datagrams from strangers", client_.foreign_datagrams},
-          {"lost datagrams that were repaired", client_.repaired_datagrams},
           {"pictures lost with a datagram", client_.lost_pictures}},
          status);
 }

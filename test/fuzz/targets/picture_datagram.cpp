@@ -54,7 +54,7 @@ class Receiver {
   }
 
   void replies() {
-    intake_.takeReplies(now_);
+    intake_.takeReply(now_);
     require(intake_.nextLook() > now_, "it need not be looked at again at once");
   }
 

@@ -85,12 +85,10 @@ class DatagramsFixture : public Version2SessionFixture {
     }
   }
 
-  std::vector<Bytes> nextPicture(bool with_parities = false, std::size_t more_parts = 0) {
+  std::vector<Bytes> nextPicture() {
     ++picture_;
     jpegs_.push_back(makeJpeg(picture_));
-    jpegs_.back().insert(jpegs_.back().end() - 2, more_parts * protocol::version2::DATAGRAM_PART_SIZE,
-                         static_cast<std::uint8_t>(picture_));
-    return test_support::makeDatagrams(jpegs_.back(), numberOf(picture_), frameOf(picture_), &sequence_, with_parities);
+    return test_support::makeDatagrams(jpegs_.back(), numberOf(picture_), frameOf(picture_), &sequence_);
   }
 
   /// The robot's number of the picture that is `picture` here.
@@ -112,14 +110,6 @@ class DatagramsFixture : public Version2SessionFixture {
       numbers.push_back(found == jpegs_.end() ? 0 : static_cast<unsigned>(found - jpegs_.begin()) + 1);
     }
     return numbers;
-  }
-
-  /// The replies that begin with this letter: `s` statuses, `l` reports of losses.
-  std::vector<Bytes> repliesOf(char letter) const {
-    std::vector<Bytes> found;
-    std::copy_if(replies_.begin(), replies_.end(), std::back_inserter(found),
-                 [letter](const Bytes& reply) { return reply[0] == static_cast<std::uint8_t>(letter); });
-    return found;
   }
 
   void arriveByTcp(unsigned seed, unsigned frame_number) {

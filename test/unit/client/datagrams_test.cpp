@@ -165,7 +165,6 @@ TEST_F(DatagramsTest, NonsenseIsCountedLoggedOnceAndDoesNoHarm) {
   }
   arrive(picture);
   EXPECT_THAT(delivered(), ElementsAre(1));
-  EXPECT_THAT(repliesOf('l'), IsEmpty());
   EXPECT_EQ(1, logged("that is dropped"));
 }
 
@@ -323,10 +322,10 @@ TEST_F(DatagramsTest, AWholePictureDoesNotWaitForLong) {
   const Bytes late = cut.back();
   cut.pop_back();
   arrive(cut);
-  const std::vector<Bytes> whole = nextPicture(true);
+  const std::vector<Bytes> whole = nextPicture();
   arrive(whole);
   wait(milliseconds(1));
-  arrive({repeated(whole.front()), repeated(whole.back())});  // it has this part and this parity already
+  arrive(repeated(whole.front()));  // it has this part already
   wait(milliseconds(28));
   EXPECT_THAT(delivered(), IsEmpty());
   wait(milliseconds(1));
@@ -335,49 +334,6 @@ TEST_F(DatagramsTest, AWholePictureDoesNotWaitForLong) {
   arrive(late);
   arrive(nextPicture());
   EXPECT_THAT(delivered(), ElementsAre(2, 3)) << "the first is too late, and the next one need not wait";
-}
-
-TEST_F(DatagramsTest, WhereParitiesComeAPartIsAskedForOnlyIfTheyDoNotHelp) {
-  arrive(nextPicture(true));
-  std::vector<Bytes> picture = nextPicture(true);
-  takeStatuses();
-  picture.erase(picture.begin());
-  arrive(picture);
-  EXPECT_THAT(takeRequests(2), IsEmpty());
-  EXPECT_THAT(delivered(), ElementsAre(1, 2));
-  picture = nextPicture(true);
-  arrive(picture[0]);
-  arrive(picture[3]);  // two are missing, one parity will come
-  EXPECT_THAT(takeRequests(3), ElementsAre(1u, 2u));
-}
-
-// Parities take time on the air from other pictures.
-TEST_F(DatagramsTest, ParitiesAreRequestedOnlyWhereTheLinkHasTimeForThem) {
-  const auto parts = static_cast<int>(nextPicture().size());
-  for (const int spare : {4, 1, 4}) {
-    knowPace(milliseconds(5), milliseconds(5 * (parts + spare)));
-    std::vector<Bytes> picture = nextPicture();
-    picture.erase(picture.begin() + 1);
-    arriveEach(milliseconds(5), picture);
-    const Bytes report = encoded(protocol::version2::LossReport{numberOf(picture_)});
-    EXPECT_EQ(spare == 4 ? std::vector<Bytes>{report} : std::vector<Bytes>(), repliesOf('l')) << spare;
-    wait(milliseconds(5 * (spare + 1)));
-  }
-}
-
-TEST_F(DatagramsTest, OfPartsWithParitiesAnyDatagramMayBeLost) {
-  std::size_t datagrams = 1;
-  for (std::size_t lost = 0; lost < datagrams; ++lost) {
-    std::vector<Bytes> picture = nextPicture(true, 17);
-    datagrams = picture.size();
-    picture.erase(picture.begin() + static_cast<std::ptrdiff_t>(lost));
-    pass(milliseconds(32));
-    arrive(picture);
-    ASSERT_EQ(delivered().size(), picture_) << lost;
-    EXPECT_EQ(delivered().back(), picture_) << lost;
-  }
-  EXPECT_GT(datagrams, 2 * protocol::version2::PARTS_PER_PARITY) << "several groups";
-  EXPECT_LT(counters_.repaired_datagrams, datagrams) << "a lost parity needs no repair";
 }
 
 // While a callback runs, for example.

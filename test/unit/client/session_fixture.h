@@ -176,8 +176,9 @@ class SessionFixture : public testing::Test {
   void look() {
     connection_.pictures.foundEmpty(now_);
     session().checkDeadlines(now_);
-    const std::vector<Bytes> replies = session().takeReplies(now_);
-    replies_.insert(replies_.end(), replies.begin(), replies.end());
+    if (const Bytes reply = session().takeReply(now_); !reply.empty()) {
+      replies_.push_back(reply);
+    }
   }
 
   aibo_client::Callbacks record() {

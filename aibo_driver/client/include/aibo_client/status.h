@@ -106,7 +106,6 @@ struct ClientStatistics {
   Counter reordered_datagrams;  ///< datagrams that came behind later ones: not lost, or a second time
   Counter bad_datagrams;        ///< datagrams that came from the robot's address but were not part of a picture
   Counter foreign_datagrams;    ///< datagrams dropped: they came from another address
-  Counter repaired_datagrams;   ///< datagrams that were lost or late and were made from others
   Counter lost_pictures;        ///< pictures of which a datagram was lost or came too late
   /// @}
 };
