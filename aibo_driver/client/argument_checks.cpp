@@ -2,6 +2,7 @@
 
 #include <arpa/inet.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -48,15 +49,6 @@ void require(bool good, int id, const std::string& problem) {
   }
 }
 
-std::string checkedName(const std::string& name, protocol::version2::ReadFileName read) {
-  protocol::FileName checked;
-  const char* problem = read(name.data(), name.size(), checked);
-  if (problem != nullptr) {
-    throw InvalidArgumentException("'" + name + "': " + problem);
-  }
-  return checked;
-}
-
 void checkSpeedLimit(int joint, double speed) {
   require(speed > 0 && speed <= kGreatestSpeed, joint,
           "its speed limit is " + std::to_string(speed) + " rad/s, but has to be above 0 and at most 100");
@@ -76,34 +68,15 @@ std::string addressText(const std::string& host, int port) {
   return (is_ipv6 ? "[" + host + "]" : host) + ":" + std::to_string(port);
 }
 
-// The messages say what to write instead of what people copy from web browsers and other programs.
 void checkHost(const std::string& host) {
-  const auto refuse = [&host](const std::string& problem) {
-    throw InvalidArgumentException("host is '" + host + "', " + problem);
-  };
-  if (host.empty()) {
-    throw InvalidArgumentException("host is empty, but has to be the robot's name or address");
-  }
-  if (host.find_first_of("/ \t\n") != std::string::npos) {
-    refuse("but has to be the robot's name or address alone, such as 192.168.1.5, without a scheme, path or blank");
-  }
-  const std::size_t bracket = host.find(']');
-  const std::size_t colon = host.rfind(':');
-  if (host.front() == '[' && bracket != std::string::npos) {
-    const std::string inside = host.substr(1, bracket - 1);
-    refuse(colon == bracket + 1
-               ? "which has a port in it; host has to be '" + inside + "' and port " + host.substr(colon + 1)
-               : "but has to be '" + inside + "', without brackets");
-  }
-  if (colon == std::string::npos) {
-    return;
-  }
-  if (colon == host.find(':')) {
-    refuse("which has a port in it; host has to be '" + host.substr(0, colon) + "' and port " + host.substr(colon + 1));
-  }
+  const bool has_port = std::count(host.begin(), host.end(), ':') == 1;
   in6_addr address;
-  if (::inet_pton(AF_INET6, host.substr(0, host.find('%')).c_str(), &address) != 1) {
-    refuse("which is neither a name nor an address");
+  const bool is_wrong_ipv6 = host.find(':') != std::string::npos &&
+                             ::inet_pton(AF_INET6, host.substr(0, host.find('%')).c_str(), &address) != 1;
+  if (host.empty() || has_port || is_wrong_ipv6 || host.find_first_of("/[] \t\n") != std::string::npos) {
+    throw InvalidArgumentException("host is '" + host +
+                                   "', but has to be the robot's name or address alone, such as 192.168.1.5 or ::1, "
+                                   "without a port, scheme, path, bracket or blank");
   }
 }
 
@@ -170,28 +143,17 @@ void checkLedCommands(const std::vector<LedCommand>& leds) {
   }
 }
 
-void checkMotionContent(const std::vector<std::uint8_t>& content) {
-  checkRange("the motion's size", static_cast<long long>(content.size()), 1, protocol::version2::MAX_MOTION_FILE_SIZE,
-             " bytes");
-}
-
-std::string checkedMotionName(const std::string& name) {
-  return checkedName(name, protocol::readMotionName);
-}
-
-std::string checkedPictureName(const std::string& name) {
-  return checkedName(name, protocol::readPictureName);
-}
-
-std::string checkedNewMotionName(const std::string& name) {
-  protocol::MotionName checked;
-  const std::string read = checkedMotionName(name);
-  read.copy(checked, protocol::MAX_MOTION_NAME_SIZE);
-  checked[read.size()] = '\0';
-  if (const char* problem = protocol::problemOfNewMotionName(checked)) {
+std::string checkedName(const std::string& name, protocol::version2::ReadFileName read) {
+  protocol::FileName checked;
+  if (const char* const problem = read(name.data(), name.size(), checked)) {
     throw InvalidArgumentException("'" + name + "': " + problem);
   }
-  return read;
+  return checked;
+}
+
+const char* readNewMotionName(const char* text, std::size_t size, protocol::FileName& name) {
+  const char* const problem = protocol::readMotionName(text, size, name);
+  return problem != nullptr ? problem : protocol::problemOfNewMotionName(name);
 }
 
 }  // namespace aibo_client

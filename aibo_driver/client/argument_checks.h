@@ -5,7 +5,7 @@
 #define AIBO_DRIVER_CLIENT_ARGUMENT_CHECKS_H
 
 #include <chrono>
-#include <cstdint>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -13,6 +13,7 @@
 #include "aibo_client/options.h"
 #include "aibo_client/parts.h"
 #include "aibo_client/walk.h"
+#include "protocol/fields.h"
 
 namespace aibo_client {
 
@@ -26,16 +27,14 @@ void checkJointSpeedLimits(const std::vector<JointSpeedLimit>& limits);
 void checkWalkVelocity(const WalkVelocity& velocity);
 void checkLedCommands(const std::vector<LedCommand>& leds);
 void checkColorTable(const ColorTable& table);
-void checkMotionContent(const std::vector<std::uint8_t>& content);
 
+/// Checks the name of a file.
+/// @param read protocol::readMotionName(), protocol::readPictureName() or readNewMotionName()
 /// @return the name in capitals, as it is sent
-std::string checkedMotionName(const std::string& name);
+std::string checkedName(const std::string& name, protocol::version2::ReadFileName read);
 
-/// @return the name in capitals, as it is sent
-std::string checkedPictureName(const std::string& name);
-
-/// Checks the name of a file that will be stored, like checkedMotionName(). See protocol::problemOfNewMotionName().
-std::string checkedNewMotionName(const std::string& name);
+/// Reads the name of a motion that will be stored. See protocol::problemOfNewMotionName().
+const char* readNewMotionName(const char* text, std::size_t size, protocol::FileName& name);
 
 }  // namespace aibo_client
 

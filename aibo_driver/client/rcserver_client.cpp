@@ -383,7 +383,7 @@ std::future<std::string> RcServerClient::beginMotion(const std::string& name, in
                                                      const OrderTerms& terms) {
   checkRange("repetitions", repetitions, 1, 65535);
   const version2::MotionOrder order = {0, static_cast<unsigned short>(repetitions), ""};
-  Call call = callForFile(version2::PLAY_MOTION, order, checkedMotionName(name), motion_bits_);
+  Call call = callForFile(version2::PLAY_MOTION, order, checkedName(name, protocol::readMotionName), motion_bits_);
   call.terms = terms;
   return exchange<version2::MotionChanges>(loop_.get(), std::move(call), timeout, [](const auto& changes) {
     return std::string(changes.text, changes.text_size);
@@ -392,21 +392,24 @@ std::future<std::string> RcServerClient::beginMotion(const std::string& name, in
 
 void RcServerClient::stopMotion(const std::string& name, milliseconds timeout) {
   const version2::Request& request = name.empty() ? version2::STOP_ALL_MOTIONS : version2::STOP_MOTION;
-  exchange(waitable(loop_), callForFile(request, version2::MotionOrder(), name.empty() ? "" : checkedMotionName(name)),
-           timeout)
+  exchange(
+      waitable(loop_),
+      callForFile(request, version2::MotionOrder(), name.empty() ? "" : checkedName(name, protocol::readMotionName)),
+      timeout)
       .get();
 }
 
 void RcServerClient::uploadMotion(const std::string& name, const std::vector<std::uint8_t>& content,
                                   milliseconds timeout) {
-  checkMotionContent(content);
+  checkRange("the motion's size", static_cast<long long>(content.size()), 1, version2::MAX_MOTION_FILE_SIZE, " bytes");
   const version2::MotionUpload upload = {"", content.data(), content.size()};
-  Call call = callForFile(version2::STORE_MOTION, upload, checkedNewMotionName(name), motion_bits_);
+  Call call = callForFile(version2::STORE_MOTION, upload, checkedName(name, readNewMotionName), motion_bits_);
   exchange(waitable(loop_), std::move(call), timeout).get();
 }
 
 void RcServerClient::deleteMotion(const std::string& name, milliseconds timeout) {
-  Call call = callForFile(version2::DELETE_MOTION, version2::MotionToDelete(), checkedMotionName(name));
+  Call call =
+      callForFile(version2::DELETE_MOTION, version2::MotionToDelete(), checkedName(name, protocol::readMotionName));
   exchange(waitable(loop_), std::move(call), timeout).get();
 }
 
@@ -427,8 +430,8 @@ std::vector<std::string> RcServerClient::listPictures(milliseconds timeout) {
 }
 
 std::vector<std::uint8_t> RcServerClient::fetchPicture(const std::string& name, milliseconds timeout) {
-  Call call = callForFile(version2::FETCH_STICK_PICTURE, version2::StickPicture(), checkedPictureName(name),
-                          version2::FETCH_PICTURE);
+  Call call = callForFile(version2::FETCH_STICK_PICTURE, version2::StickPicture(),
+                          checkedName(name, protocol::readPictureName), version2::FETCH_PICTURE);
   const auto read = [](const auto& file) { return Call::Bytes(file.content, file.content + file.size); };
   Call::Bytes file = exchange<version2::FetchedPicture>(waitable(loop_), std::move(call), timeout, read).get();
   const JpegInspection found = inspectJpeg(file.data(), file.size());
@@ -440,8 +443,8 @@ std::vector<std::uint8_t> RcServerClient::fetchPicture(const std::string& name, 
 }
 
 void RcServerClient::deletePicture(const std::string& name, milliseconds timeout) {
-  Call call = callForFile(version2::DELETE_STICK_PICTURE, version2::StickPicture(), checkedPictureName(name),
-                          version2::DELETE_PICTURE);
+  Call call = callForFile(version2::DELETE_STICK_PICTURE, version2::StickPicture(),
+                          checkedName(name, protocol::readPictureName), version2::DELETE_PICTURE);
   exchange(waitable(loop_), std::move(call), timeout).get();
 }
 
