@@ -10,13 +10,12 @@
 #include "system/event.h"
 
 namespace aibo_client {
-namespace {
 
-NameLookupResult resolve(const std::string& host, int port, int flags) {
+NameLookupResult resolveWithSystem(const std::string& host, int port) {
   addrinfo hints = {};
   hints.ai_family = AF_UNSPEC;
   hints.ai_socktype = SOCK_STREAM;
-  hints.ai_flags = AI_NUMERICSERV | flags;
+  hints.ai_flags = AI_NUMERICSERV;
   addrinfo* list = nullptr;
   NameLookupResult result;
   const int error = ::getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &list);
@@ -32,16 +31,6 @@ NameLookupResult resolve(const std::string& host, int port, int flags) {
     result.addresses.push_back(address);
   }
   return result;
-}
-
-}  // namespace
-
-NameLookupResult resolveWithSystem(const std::string& host, int port) {
-  return resolve(host, port, 0);
-}
-
-NameLookupResult resolveNumeric(const std::string& host, int port) {
-  return resolve(host, port, AI_NUMERICHOST);
 }
 
 struct NameLookup::Lookup {

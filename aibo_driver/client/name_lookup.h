@@ -28,9 +28,6 @@ using Resolver = std::function<NameLookupResult(const std::string& host, int por
 /// Uses the system's resolver: /etc/hosts, DNS, mDNS or others, as configured.
 NameLookupResult resolveWithSystem(const std::string& host, int port);
 
-/// Accepts only numeric addresses. It never blocks.
-NameLookupResult resolveNumeric(const std::string& host, int port);
-
 /// Looks up one name at a time, in the background.
 ///
 /// The system's resolver may block for half a minute and cannot be interrupted. So it runs on a detached thread that

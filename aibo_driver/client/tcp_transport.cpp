@@ -121,15 +121,11 @@ void TcpTransport::connect(const std::string& host, int port, TimePoint deadline
 }
 
 std::vector<SocketAddress> TcpTransport::lookUp(const std::string& host, int port, TimePoint deadline) {
-  NameLookupResult result = resolveNumeric(host, port);
-  if (result.problem.empty()) {
-    return result.addresses;
-  }
   name_lookup_.start(host, port);
   if (!waitFor(name_lookup_.descriptor(), POLLIN, deadline)) {
     throw Fault::nameNotFound(host, "the name server does not answer");
   }
-  result = name_lookup_.take();
+  const NameLookupResult result = name_lookup_.take();
   if (!result.problem.empty()) {
     throw Fault::nameNotFound(host, result.problem);
   }
