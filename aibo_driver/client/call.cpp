@@ -103,7 +103,7 @@ void PendingCalls::answer(int request_number, const unsigned char* payload, std:
 }
 
 void PendingCalls::answer(int request_number, const PicturePtr& picture) {
-  find(request_number)->answer_with_picture(picture, 0);
+  find(request_number)->answer_with_picture(picture);
   remove(request_number);
 }
 
@@ -111,12 +111,12 @@ void PendingCalls::remove(int request_number) {
   calls_.remove_if([request_number](const Call& call) { return call.request_number == request_number; });
 }
 
-void PendingCalls::answerFromStream(const PicturePtr& picture, int quality) {
+void PendingCalls::answerFromStream(const PicturePtr& picture) {
   endIf(
       [&picture](const Call& call) {
         return !call.wasSent() && call.isForPicture() && call.deadline - call.timeout < picture->first_byte_time;
       },
-      [&](const Call& call) { call.answer_with_picture(picture, quality); });
+      [&](const Call& call) { call.answer_with_picture(picture); });
 }
 
 PendingCalls::TimePoint PendingCalls::nextDeadline() const {

@@ -55,8 +55,7 @@ struct Call {
   /// @return nullptr, or what is wrong with the payload; the call then keeps waiting
   std::function<const char*(const unsigned char* payload, std::size_t size)> answer;
   /// Gives the caller the picture that answers the call.
-  /// @param stream_quality the quality of the stream that the picture is from; 0 if it is from none
-  std::function<void(const PicturePtr& picture, int stream_quality)> answer_with_picture;
+  std::function<void(const PicturePtr& picture)> answer_with_picture;
   /// Throws this exception in the caller's thread.
   std::function<void(const std::exception_ptr& failure)> fail;
   /// @}
@@ -158,7 +157,7 @@ class PendingCalls {
   void answer(int request_number, const PicturePtr& picture);
 
   /// Answers calls for a picture by this picture of the stream, if they are unsent and were made before it began.
-  void answerFromStream(const PicturePtr& picture, int quality);
+  void answerFromStream(const PicturePtr& picture);
 
   /// The earliest deadline; TimePoint::max() if no call waits.
   TimePoint nextDeadline() const;

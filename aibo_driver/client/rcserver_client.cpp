@@ -266,23 +266,18 @@ bool RcServerClient::streaming() const {
   return loop_->read([](const Shared& shared) { return shared.streaming; });
 }
 
-PicturePtr RcServerClient::takePicture(int quality, milliseconds timeout, int* stream_quality,
-                                       std::optional<Resolution> resolution) {
+PicturePtr RcServerClient::takePicture(int quality, milliseconds timeout, std::optional<Resolution> resolution) {
   checkRange("quality", quality, 0, 100);
   const bool is_usual = resolution.value_or(Resolution::kHigh) == Resolution::kHigh;
   Call call = makeCall(version2::TAKE_PICTURE, version2::NoPayload(), is_usual ? "" : "of this resolution");
   call.quality = quality;
   call.resolution = resolution;
-  const auto promise = std::make_shared<std::promise<std::pair<PicturePtr, int>>>();
+  const auto promise = std::make_shared<std::promise<PicturePtr>>();
   auto result = promise->get_future();
-  call.answer_with_picture = [promise](const PicturePtr& taken, int of) { promise->set_value({taken, of}); };
+  call.answer_with_picture = [promise](const PicturePtr& picture) { promise->set_value(picture); };
   call.fail = [promise](const std::exception_ptr& failure) { promise->set_exception(failure); };
   handOver(waitable(loop_), std::move(call), timeout);
-  const auto [picture, quality_of_stream] = result.get();
-  if (stream_quality != nullptr) {
-    *stream_quality = quality_of_stream;
-  }
-  return picture;
+  return result.get();
 }
 
 void RcServerClient::commandJoints(const std::vector<JointTarget>& targets, milliseconds duration,

@@ -114,8 +114,9 @@ bool Version1Session::mayPoll() const {
 
 Session::Bytes Version1Session::requestPicture(const Settings& wanted, Call* call, TimePoint now) {
   call->request_number = kPendingNumber;
+  call->quality = call->quality == 0 ? wanted.jpeg_quality : call->quality;
   connection_.pictures.signOfPicture(now);
-  return version1Command(protocol::REQUEST_PICTURE, call->quality == 0 ? wanted.jpeg_quality : call->quality);
+  return version1Command(protocol::REQUEST_PICTURE, call->quality);
 }
 
 Session::Bytes Version1Session::requestCall(Call* call, TimePoint now) {
@@ -224,18 +225,19 @@ void Version1Session::onPicture() {
   if (!pictures.streaming() && pending == nullptr) {
     pictures.lateBytes(now_);
   }
-  const PicturePtr picture = pictures.inspect(parser_.takeJpeg(), parser_.firstByteTime());
+  const std::shared_ptr<Picture> picture = pictures.inspect(parser_.takeJpeg(), parser_.firstByteTime());
   if (!picture) {
     if (pending != nullptr) {
       pending->request_number = 0;  // the request is sent again if the call's time allows
     }
     return;
   }
+  picture->quality = pending != nullptr ? pending->quality : pictures.streamQuality();
   if (pending != nullptr) {
     pictures.deliver(picture);
     connection_.calls.answer(kPendingNumber, picture);
   } else if (pictures.deliverFromStream(picture, now_)) {
-    connection_.calls.answerFromStream(picture, pictures.streamQuality());
+    connection_.calls.answerFromStream(picture);
   }
 }
 

@@ -507,6 +507,7 @@ std::shared_ptr<Picture> Version2Session::takePictureFrom(const Payload& payload
 std::shared_ptr<Picture> Version2Session::inspect(Bytes jpeg, const version2::ImageHeader& header, TimePoint began) {
   std::shared_ptr<Picture> picture = connection_.pictures.inspect(std::move(jpeg), began);
   if (picture) {
+    picture->quality = header.quality;
     picture->frame_number = header.frame_number;
     picture->image_count = header.image_count;
     picture->settings = settingsIn(header.settings);

@@ -77,14 +77,14 @@ void RcServerClient::setColorDetection(const ColorDetection& detection) {
 void RcServerClient::setColorTable(int channel, ColorTablePtr table) {
   tell(this, "table " + std::to_string(channel) + " " + (table ? table->name : "none"));
 }
-PicturePtr RcServerClient::takePicture(int quality, milliseconds timeout, int* quality_of_stream,
-                                       std::optional<Resolution> resolution) {
+PicturePtr RcServerClient::takePicture(int quality, milliseconds timeout, std::optional<Resolution> resolution) {
   tell(this,
        "picture " + std::to_string(quality) +
            (resolution ? " of resolution " + std::to_string(static_cast<int>(*resolution)) : ""),
        timeout);
-  *quality_of_stream = fake(this).stream_quality;
-  return fake(this).picture;
+  Picture picture = *fake(this).picture;
+  picture.quality = fake(this).stream_quality.value_or(quality);
+  return std::make_shared<Picture>(picture);
 }
 void RcServerClient::commandJoints(const std::vector<JointTarget>& targets, milliseconds duration,
                                    const OrderTerms& terms) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,7 +35,7 @@ struct FakeClient : public aibo_client::RcServerClient {
   std::vector<std::string> motions;              ///< on the robot's memory stick
   std::string motion_changes;                    ///< what the robot says that it plays differently
   aibo_client::PicturePtr picture;               ///< for takePicture() and fetchPicture()
-  int stream_quality = 0;                        ///< of the stream that the picture is from
+  std::optional<int> stream_quality;             ///< of the stream that the picture is from
   std::chrono::milliseconds timeout{0};          ///< of the last request; 0 if it does not wait for an answer
   std::uint64_t sounds = 40;                     ///< begun so far
   std::size_t room_for_samples = 16384;          ///< that the robot says

@@ -107,7 +107,7 @@ PicturePtr takePicture(Robot& robot, const Arguments& arguments) {
   const Resolution resolution = resolutionIn(arguments);
   const std::optional<CameraSettings> settings = cameraSettingsIn(arguments);
   if (!settings) {
-    return robot.client().takePicture(quality, kPictureTimeout, nullptr, resolution);
+    return robot.client().takePicture(quality, kPictureTimeout, resolution);
   }
   if (!robot.received().status.robot.hasCapability("G")) {
     throw aibo_client::CommandException(
@@ -117,7 +117,7 @@ PicturePtr takePicture(Robot& robot, const Arguments& arguments) {
   robot.client().setCameraSettings(*settings);
   const steady_clock::time_point end = steady_clock::now() + kPictureTimeout;
   while (steady_clock::now() < end) {
-    PicturePtr picture = robot.client().takePicture(quality, kPictureTimeout, nullptr, resolution);
+    PicturePtr picture = robot.client().takePicture(quality, kPictureTimeout, resolution);
     if (picture->settings == settings) {
       return picture;
     }

@@ -19,14 +19,11 @@
 namespace aibo_driver::node {
 namespace {
 
-std::string describePicture(const aibo_client::Picture& picture, int asked_quality, int stream_quality) {
+std::string describePicture(const aibo_client::Picture& picture, int asked_quality) {
   std::string text = "Took a picture of " + std::to_string(picture.width) + "x" + std::to_string(picture.height) +
-                     " pixels, " + std::to_string(picture.jpeg.size()) + " bytes, at quality ";
-  if (stream_quality == 0) {
-    return text + std::to_string(asked_quality) + ".";
-  }
-  text += std::to_string(stream_quality) + ", from the running stream";
-  if (asked_quality != stream_quality) {
+                     " pixels, " + std::to_string(picture.jpeg.size()) + " bytes, at quality " +
+                     std::to_string(picture.quality);
+  if (asked_quality != picture.quality) {
     text += "; quality " + std::to_string(asked_quality) +
             " would need the stream to be off, because this robot takes no other pictures while it streams";
   }
@@ -92,11 +89,9 @@ Services takePictureServices(
     const PictureCall counted(*calls);
     const int asked = call.request.quality;
     const int quality = asked == 0 ? default_quality() : std::min(asked, camera::kMaxQuality);
-    int stream_quality = 0;
-    const aibo_client::PicturePtr picture =
-        client.takePicture(quality, timeout, &stream_quality, resolutionIn(call.request));
+    const aibo_client::PicturePtr picture = client.takePicture(quality, timeout, resolutionIn(call.request));
     call.response.image = to_message(*picture);
-    const std::string taken = describePicture(*picture, quality, stream_quality);
+    const std::string taken = describePicture(*picture, quality);
     if (call.request.save_to.empty()) {
       return taken;
     }

@@ -190,7 +190,7 @@ class Client {
     answers_.push_back(call.has(protocol::version2::FETCHES_FILE)
                            ? expectReply<protocol::version2::FetchedPicture>(&call, [](const auto&) {})
                            : expectReply<AnyReply>(&call, [](const auto&) {}));
-    call.answer_with_picture = [answer = call.answer](const PicturePtr&, int) { answer(nullptr, 0); };
+    call.answer_with_picture = [answer = call.answer](const PicturePtr&) { answer(nullptr, 0); };
     connection_.add(std::move(call));
   }
 

@@ -50,12 +50,8 @@ const std::vector<int> kTwoJoints = {2, 1};
 
 const std::vector<CallRow> kCalls = {
     {"take a picture of this resolution",
-     [](auto& c, auto time) {
-       int quality = -1;
-       const std::string name = nameOf(c.takePicture(37, time, &quality, Resolution::kDouble)->jpeg);
-       return name + ", of the stream: " + std::to_string(quality);
-     },
-     "F 37 3", version2_frames::makePicture(kPictureOnTheStick, 1), "the picture, of the stream: 0", ""},
+     [](auto& c, auto time) { return nameOf(c.takePicture(37, time, Resolution::kDouble)->jpeg); }, "F 37 3",
+     version2_frames::makePicture(kPictureOnTheStick, 1), "the picture", ""},
     {"switch the motors on", [](auto& c, auto time) { return c.setMotors(true, time) ? "on" : "off"; }, "O 0 1",
      Bytes{0}, "off", ""},
     {"switch the motors off", [](auto& c, auto time) { return c.setMotors(false, time) ? "on" : "off"; }, "O 0 0",

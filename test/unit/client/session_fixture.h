@@ -25,7 +25,6 @@ struct Answer {
   std::string problem;
   bool was_sent = false;
   aibo_client::PicturePtr picture;
-  int stream_quality = 0;
 };
 
 constexpr char kSilentStream[] = "robot:54321 sent nothing for 500 ms while a picture was due";
@@ -88,8 +87,8 @@ class SessionFixture : public testing::Test {
     call.timeout = timeout;
     call.deadline = now_ + timeout;
     call.answer = [promise](const unsigned char*, std::size_t) { return promise->set_value({}), nullptr; };
-    call.answer_with_picture = [promise](const aibo_client::PicturePtr& picture, int stream_quality) {
-      promise->set_value({CallOutcome::kDone, "", true, picture, stream_quality});
+    call.answer_with_picture = [promise](const aibo_client::PicturePtr& picture) {
+      promise->set_value({CallOutcome::kDone, "", true, picture});
     };
     call.fail = [promise](const std::exception_ptr& failure) {
       try {

@@ -68,7 +68,7 @@ TEST_F(Version1SessionTest, WithoutAStreamEachCallerGetsAPictureOfItsOwnQuality)
   receivePicture(1);
   const Answer got = first.get();
   EXPECT_EQ(test_pictures::makeNumbered(1), got.picture->jpeg);
-  EXPECT_EQ(0, got.stream_quality);
+  EXPECT_EQ(40, got.picture->quality);
   EXPECT_FALSE(done(second));
   EXPECT_EQ("F73", command()) << "0 is the stream's quality";
   receivePicture(2);
@@ -94,7 +94,7 @@ TEST_F(Version1SessionTest, DuringTheStreamEveryCallerGetsTheNextPictureThatBegi
   ASSERT_TRUE(done(first));
   ASSERT_TRUE(done(second));
   const Answer got = first.get();
-  EXPECT_EQ(73, got.stream_quality);
+  EXPECT_EQ(73, got.picture->quality);
   EXPECT_EQ(test_pictures::makeNumbered(2), got.picture->jpeg);
   EXPECT_EQ(got.picture, second.get().picture);
 }

@@ -82,9 +82,8 @@ TEST_F(StreamServicesTest, AnswerAPicture) {
 
 TEST_F(StreamServicesTest, SayThatAPictureOfTheStreamHasItsQuality) {
   client_.stream_quality = 85;
-  EXPECT_THAT(takePicture(85).message, HasSubstr("at quality 85, from the running stream."));
-  EXPECT_THAT(takePicture(20).message,
-              HasSubstr("at quality 85, from the running stream; quality 20 would need the stream to be off"));
+  EXPECT_THAT(takePicture(85).message, HasSubstr("at quality 85."));
+  EXPECT_THAT(takePicture(20).message, HasSubstr("at quality 85; quality 20 would need the stream to be off"));
 }
 
 TEST_F(StreamServicesTest, SaveAPictureOrSayWhyNot) {

@@ -68,6 +68,7 @@ struct Picture {
   std::chrono::steady_clock::time_point first_byte_time;
   int width = 0;                        ///< pixels, from the JPEG's own frame header
   int height = 0;                       ///< pixels, from the JPEG's own frame header
+  int quality = 0;                      ///< 1..100, as requested; a server of version 1 does not confirm it
   std::uint64_t connection_number = 0;  ///< the number of the connection; the client's first one is 1
 
   // A version 1 server does not send the following members.

@@ -229,16 +229,14 @@ class RcServerClient {
   ///
   /// The robot takes one picture of the given quality for this call alone. The exception is a running stream of a
   /// version 1 server. Such a server must not get `F` while it streams, so the call returns the stream's next picture,
-  /// at the stream's quality.
+  /// at the stream's quality: see Picture::quality.
   ///
   /// A damaged picture is requested again as long as time is left.
   /// @param quality 0..100; 0 means the stream's quality
-  /// @param[out] stream_quality may be null; if the picture is from a running stream, this is the quality of that
-  ///   stream, 1..100; it is 0 if the picture was taken for this call alone
   /// @param resolution empty means the stream's resolution
   /// @return the picture, never null
   /// @throw CommandException also if the robot has no such resolution; one of version 1 has only Resolution::kHigh
-  PicturePtr takePicture(int quality, std::chrono::milliseconds timeout, int* stream_quality = nullptr,
+  PicturePtr takePicture(int quality, std::chrono::milliseconds timeout,
                          std::optional<Resolution> resolution = std::nullopt);
 
   /// Switches the motors of all joints on or off. While they are off, the joints can be moved by hand. The request to
