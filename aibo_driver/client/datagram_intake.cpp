@@ -13,16 +13,10 @@ void DatagramIntake::begin(const Start& start, TimePoint now) {
   DatagramIntake next(*context_);  // without the state of the previous request
   next.warned_ = warned_;
   next.on_ = next.used_ = true;
-  next.waits_until_ = now + kConfirmation;
   next.start_ = start;
   next.last_datagram_ = now;
   next.expectFrom(now);
   *this = std::move(next);
-}
-
-void DatagramIntake::confirmed(TimePoint now) {
-  waits_until_ = now;
-  expectFrom(now);
 }
 
 void DatagramIntake::heardByTcp(TimePoint now) {
@@ -72,13 +66,6 @@ bool DatagramIntake::isPossible(const version2::PictureDatagram& datagram) const
          datagram.sequence <= next_sequence_ + kMostDatagramsAhead;
 }
 
-std::optional<PictureAssembly::Whole> DatagramIntake::takeWhole(TimePoint now) {
-  if (!on_ || now < waits_until_) {
-    return std::nullopt;
-  }
-  return assembly_.takeWhole(now, patience());
-}
-
 void DatagramIntake::goodPicture(std::int64_t number, TimePoint now) {
   settle(number);
   expectFrom(now);
@@ -105,12 +92,7 @@ DatagramIntake::Bytes DatagramIntake::takeReply(TimePoint now) {
 }
 
 DatagramIntake::TimePoint DatagramIntake::nextLook() const {
-  if (!on_) {
-    return TimePoint::max();
-  }
-  const TimePoint whole = assembly_.endOfWaiting(patience());
-  return std::min(whole == TimePoint::max() ? whole : std::max(whole, waits_until_),
-                  requests_.deadline(assembly_, spacing_));
+  return on_ ? std::min(assembly_.endOfWaiting(patience()), requests_.deadline(assembly_, spacing_)) : TimePoint::max();
 }
 
 void DatagramIntake::refuse(const std::string& problem) {

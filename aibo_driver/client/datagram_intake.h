@@ -28,9 +28,6 @@ class DatagramIntake {
     std::uint32_t picture = 0;
   };
 
-  /// The longest time that pictures by UDP wait for the robot's answer by TCP. They have to wait for it, because
-  /// pictures by TCP may come before it.
-  static constexpr std::chrono::milliseconds kConfirmation{100};
   /// After this time without a datagram, pictures that were begun before are too old to be repeated.
   static constexpr std::chrono::milliseconds kOutage{200};
   /// A whole picture waits for those before it as long as six datagrams take, but within these limits.
@@ -58,13 +55,12 @@ class DatagramIntake {
 
   /// Call this when the robot is asked to send the stream's pictures as datagrams that count from this start.
   void begin(const Start& start, TimePoint now);
-  /// Call this when the robot has answered that request.
-  void confirmed(TimePoint now);
   /// Call this when the pictures come by TCP again.
   void end() { on_ = false; }
   bool on() const { return on_; }
 
-  /// Call this when the stream was switched on or changed: a picture is due from now on.
+  /// Call this when the robot has answered that request, and when the stream was switched on or changed: a picture is
+  /// due from now on.
   void expectFrom(TimePoint now) {
     good_picture_ = now;
     tcp_worked_.reset();
@@ -79,7 +75,9 @@ class DatagramIntake {
 
   /// The next whole picture, in order. Call goodPicture() if its JPEG is good.
   /// @return empty if no picture is whole yet; then call it again after a datagram, or at nextLook()
-  std::optional<PictureAssembly::Whole> takeWhole(TimePoint now);
+  std::optional<PictureAssembly::Whole> takeWhole(TimePoint now) {
+    return on_ ? assembly_.takeWhole(now, patience()) : std::nullopt;
+  }
 
   /// Call this when the JPEG of a whole picture is good.
   /// @param number PictureAssembly::Whole::number
@@ -111,7 +109,6 @@ class DatagramIntake {
 
   const ConnectionContext* context_;
   bool on_ = false;
-  TimePoint waits_until_;  // for the robot's answer
   Start start_;
   bool used_ = false;
   bool warned_ = false;

@@ -624,8 +624,7 @@ void Version2Session::onDatagrams(const Payload& payload) {
   }
   connection_.transport = PictureTransport::kUdp;
   connection_.transport_problem.clear();
-  datagrams_.confirmed(now_);
-  deliverWholePictures(now_);
+  datagrams_.expectFrom(now_);
 }
 
 void Version2Session::giveUpDatagrams(const std::string& why, TimePoint now) {

@@ -152,24 +152,6 @@ TEST_F(TransportChoiceTest, OnlyTheRobotsTestCounts) {
   EXPECT_FALSE(isTest());
 }
 
-// Pictures that the robot has sent by TCP may come after the first ones by UDP.
-TEST_F(TransportChoiceTest, PicturesByUdpWaitALittleForThoseThatWereSentByTcpBefore) {
-  beUntilTest();
-  arrive(testDatagram(payload_));
-  EXPECT_EQ('B', request());
-  const Frame order = frame_;
-  EXPECT_EQ('W', request());
-  jpegs_.push_back(makeJpeg(1));
-  ++picture_;
-  pictures_before_order_ = 1;
-  arrive(nextPicture());
-  EXPECT_THAT(delivered(), testing::IsEmpty());
-  arriveByTcp(1, frameOf(1));
-  answer(order, order.payload);
-  EXPECT_THAT(delivered(), testing::ElementsAre(1, 2));
-  EXPECT_EQ(PictureTransport::kUdp, connection_.transport);
-}
-
 // The robot sends by TCP what was not acknowledged when it was told to.
 TEST_F(TransportChoiceTest, TheChangeToTcpLosesAndDoublesNoPicture) {
   answerAll();
