@@ -55,7 +55,7 @@ bool DatagramIntake::arrived(const std::uint8_t* data, std::size_t size, TimePoi
   last_picture_ = datagram.picture;
   last_datagram_ = now;
   requests_.arrived(now);
-  if (assembly_.add(datagram, data + version2::DATAGRAM_HEADER_SIZE, now) == PictureAssembly::Result::kContradiction) {
+  if (!assembly_.add(datagram, data + version2::DATAGRAM_HEADER_SIZE, now)) {
     refuse("other parts of its picture describe the picture differently");
   }
   return true;
@@ -71,11 +71,6 @@ void DatagramIntake::goodPicture(std::int64_t number, TimePoint now) {
   expectFrom(now);
 }
 
-DatagramIntake::TimePoint::duration DatagramIntake::patience() const {
-  constexpr int kDatagrams = 6;
-  return std::clamp<TimePoint::duration>(kDatagrams * spacing_, kLeastPatience, kMostPatience);
-}
-
 void DatagramIntake::settle(std::int64_t number) {
   const std::uint64_t lost = assembly_.lost();
   assembly_.settle(number);
@@ -89,10 +84,6 @@ DatagramIntake::Bytes DatagramIntake::takeReply(TimePoint now) {
   }
   status->picture += start_.picture;
   return encoded(*status);
-}
-
-DatagramIntake::TimePoint DatagramIntake::nextLook() const {
-  return on_ ? std::min(assembly_.endOfWaiting(patience()), requests_.deadline(assembly_, spacing_)) : TimePoint::max();
 }
 
 void DatagramIntake::refuse(const std::string& problem) {

@@ -30,9 +30,6 @@ class DatagramIntake {
 
   /// After this time without a datagram, pictures that were begun before are too old to be repeated.
   static constexpr std::chrono::milliseconds kOutage{200};
-  /// A whole picture waits for those before it as long as six datagrams take, but within these limits.
-  static constexpr std::chrono::milliseconds kLeastPatience{30};
-  static constexpr std::chrono::milliseconds kMostPatience{100};
 
   /// If no good picture has come for this long, and in the time for kMostGivenUp pictures, although TCP works,
   /// something on the way swallows datagrams, most get lost, or somebody forges them.
@@ -74,21 +71,19 @@ class DatagramIntake {
   bool arrived(const std::uint8_t* data, std::size_t size, TimePoint now);
 
   /// The next whole picture, in order. Call goodPicture() if its JPEG is good.
-  /// @return empty if no picture is whole yet; then call it again after a datagram, or at nextLook()
-  std::optional<PictureAssembly::Whole> takeWhole(TimePoint now) {
-    return on_ ? assembly_.takeWhole(now, patience()) : std::nullopt;
-  }
+  /// @return empty if no picture is whole yet
+  std::optional<PictureAssembly::Begun> takeWhole() { return on_ ? assembly_.takeWhole() : std::nullopt; }
 
   /// Call this when the JPEG of a whole picture is good.
-  /// @param number PictureAssembly::Whole::number
+  /// @param number PictureAssembly::Begun::number
   void goodPicture(std::int64_t number, TimePoint now);
 
   /// What to send back to the robot now: which pictures have come, and what is missing.
   /// @return a datagram; empty if there is nothing to say
   Bytes takeReply(TimePoint now);
 
-  /// The latest time to call takeWhole() and takeReplies() again.
-  TimePoint nextLook() const;
+  /// The latest time to call takeReply() again.
+  TimePoint nextLook() const { return on_ ? requests_.deadline(assembly_, spacing_) : TimePoint::max(); }
 
   /// The latest time to look at problem() again.
   /// @param extra_interval see PictureIntake::extraInterval()
@@ -102,7 +97,6 @@ class DatagramIntake {
   bool wereUsed() const { return used_; }
 
  private:
-  TimePoint::duration patience() const;
   bool isPossible(const protocol::version2::PictureDatagram& datagram) const;
   void settle(std::int64_t number);
   void refuse(const std::string& problem);

@@ -7,39 +7,29 @@ namespace aibo_client {
 
 namespace version2 = protocol::version2;
 
-PictureAssembly::Result PictureAssembly::add(const version2::PictureDatagram& datagram, const unsigned char* bytes,
-                                             TimePoint now) {
-  Incomplete* const picture = find(datagram, now);
-  if (picture == nullptr || picture->jpeg.size() != datagram.jpeg_size ||
-      picture->header.frame_number != datagram.image.frame_number) {
-    return picture == nullptr ? Result::kUseless : Result::kContradiction;
+bool PictureAssembly::add(const version2::PictureDatagram& datagram, const unsigned char* bytes, TimePoint now) {
+  if (datagram.picture <= last_settled_) {
+    return true;
   }
-  if (!take(datagram, bytes, *picture)) {
-    return Result::kUseless;
+  Begun& picture = findOrBegin(datagram, now);
+  if (picture.jpeg.size() != datagram.jpeg_size || picture.header.frame_number != datagram.image.frame_number) {
+    return false;
   }
-  if (picture->missing == 0) {
-    picture->completed = now;
+  const std::size_t part = datagram.part;
+  picture.sent = std::max(picture.sent, part + 1);
+  if (!picture.has_part[part]) {
+    picture.has_part[part] = true;
+    --picture.missing;
+    std::copy_n(bytes, version2::sizeOfPart(datagram.jpeg_size, part),
+                picture.jpeg.data() + part * version2::DATAGRAM_PART_SIZE);
   }
-  return Result::kTaken;
+  return true;
 }
 
-std::optional<PictureAssembly::Whole> PictureAssembly::takeWhole(TimePoint now, TimePoint::duration patience) {
+std::optional<PictureAssembly::Begun> PictureAssembly::takeWhole() {
   const auto oldest =
-      std::find_if(incomplete_.begin(), incomplete_.end(), [](const auto& each) { return each.second.missing == 0; });
-  if (oldest == incomplete_.end() || (oldest->first > nextWanted() && now < oldest->second.completed + patience)) {
-    return std::nullopt;
-  }
-  Whole whole = {oldest->first, oldest->second.header, std::move(oldest->second.jpeg), oldest->second.began};
-  incomplete_.erase(oldest);
-  return whole;
-}
-
-PictureAssembly::TimePoint PictureAssembly::endOfWaiting(TimePoint::duration patience) const {
-  TimePoint end = TimePoint::max();
-  for (const auto& [number, picture] : incomplete_) {
-    end = picture.missing == 0 ? std::min(end, picture.completed + patience) : end;
-  }
-  return end;
+      std::find_if(begun_.begin(), begun_.end(), [](const auto& each) { return each.second.missing == 0; });
+  return oldest == begun_.end() ? std::nullopt : std::optional<Begun>(std::move(begun_.extract(oldest).mapped()));
 }
 
 /// The oldest picture that is not settled and that the robot can still repeat.
@@ -51,12 +41,12 @@ version2::DatagramStatus PictureAssembly::status(bool all_sent) const {
   const std::int64_t number = nextWanted();
   const bool has_newer = newest_ > number;
   version2::DatagramStatus status = {0, static_cast<unsigned>(number), 0};
-  const auto found = incomplete_.find(number);
-  if (found == incomplete_.end()) {
+  const auto found = begun_.find(number);
+  if (found == begun_.end()) {
     status.missing = has_newer ? ~0U : 0;  // no part of this picture has come
     return status;
   }
-  const Incomplete& picture = found->second;
+  const Begun& picture = found->second;
   for (std::size_t part = 0; part < picture.has_part.size(); ++part) {
     if (picture.has_part[part] || !(all_sent || has_newer || part < picture.sent)) {
       continue;
@@ -74,48 +64,29 @@ void PictureAssembly::settle(std::int64_t number) {
   }
   lost_ += static_cast<std::uint64_t>(number - last_settled_ - 1);
   last_settled_ = number;
-  incomplete_.erase(incomplete_.begin(), incomplete_.upper_bound(number));
+  begun_.erase(begun_.begin(), begun_.upper_bound(number));
   given_up_in_a_row_ = 0;
 }
 
-/// @return false if the picture already has this part
-bool PictureAssembly::take(const version2::PictureDatagram& datagram, const unsigned char* bytes, Incomplete& picture) {
-  const std::size_t part = datagram.part;
-  picture.sent = std::max(picture.sent, part + 1);
-  if (picture.has_part[part]) {
-    return false;
-  }
-  picture.has_part[part] = true;
-  --picture.missing;
-  std::copy_n(bytes, version2::sizeOfPart(datagram.jpeg_size, part),
-              picture.jpeg.data() + part * version2::DATAGRAM_PART_SIZE);
-  return true;
-}
-
-/// @return null if the picture is too late, because a newer one has come
-PictureAssembly::Incomplete* PictureAssembly::find(const version2::PictureDatagram& datagram, TimePoint now) {
+PictureAssembly::Begun& PictureAssembly::findOrBegin(const version2::PictureDatagram& datagram, TimePoint now) {
   const std::int64_t number = datagram.picture;
-  if (number <= last_settled_) {
-    return nullptr;
+  if (const auto found = begun_.find(number); found != begun_.end()) {
+    return found->second;
   }
-  const auto found = incomplete_.find(number);
-  if (found != incomplete_.end()) {
-    return &found->second;
-  }
-  const std::size_t parts = version2::numberOfParts(datagram.jpeg_size);
-  if (incomplete_.size() == version2::KEPT_PICTURES) {
+  if (begun_.size() == version2::KEPT_PICTURES) {
     giveUpOldest();
   }
-  Incomplete& picture = incomplete_[number];
-  picture = {datagram.image, std::vector<std::uint8_t>(datagram.jpeg_size), std::vector<bool>(parts), parts, now};
   newest_ = std::max(newest_, number);
-  return &picture;
+  const std::size_t parts = version2::numberOfParts(datagram.jpeg_size);
+  Begun begun = {number, datagram.image, std::vector<std::uint8_t>(datagram.jpeg_size), std::vector<bool>(parts), parts,
+                 now};
+  return begun_.emplace(number, std::move(begun)).first->second;
 }
 
 // Gives up the picture that has waited longest. Pictures before it stay, because its number may be forged.
 void PictureAssembly::giveUpOldest() {
   const auto began_earlier = [](const auto& a, const auto& b) { return a.second.began < b.second.began; };
-  incomplete_.erase(std::min_element(incomplete_.begin(), incomplete_.end(), began_earlier));
+  begun_.erase(std::min_element(begun_.begin(), begun_.end(), began_earlier));
   ++given_up_in_a_row_;
 }
 

@@ -15,39 +15,33 @@ namespace aibo_client {
 
 /// Puts the parts of pictures together. Only as many pictures as the robot keeps may be incomplete at a time. A newer
 /// picture takes the place of the oldest one, and a whole picture replaces all older ones. The robot can be asked for a
-/// lost part. Then a whole picture may have to wait for those before it.
+/// lost part.
 ///
 /// Datagrams can be forged. So only a good picture makes earlier ones too late.
 class PictureAssembly {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  /// A whole picture.
-  struct Whole {
+  /// A picture of which parts have come.
+  struct Begun {
     std::int64_t number;
     protocol::version2::ImageHeader header;
     std::vector<std::uint8_t> jpeg;
-    TimePoint began;  ///< when its first datagram came
+    std::vector<bool> has_part;
+    std::size_t missing;   ///< how many parts are missing
+    TimePoint began;       ///< when its first datagram came
+    std::size_t sent = 0;  ///< the robot has sent at least this many parts
   };
 
-  enum class Result {
-    kTaken,
-    kUseless,       ///< the picture already has this part, or a newer picture has made it too late
-    kContradiction  ///< the picture cannot have this part, because other parts describe it differently
-  };
-
-  /// Adds a part.
+  /// Adds a part, unless a newer picture has made it too late.
   /// @param datagram no parity
   /// @param bytes the bytes of the part, as many as the datagram says
-  Result add(const protocol::version2::PictureDatagram& datagram, const unsigned char* bytes, TimePoint now);
+  /// @return false if the picture cannot have this part, because other parts describe it differently
+  bool add(const protocol::version2::PictureDatagram& datagram, const unsigned char* bytes, TimePoint now);
 
   /// Takes the oldest whole picture. It is newer than all that were settled. Call settle() if it is good.
-  /// @param patience how long a whole picture waits for those before it, unless the robot can no longer repeat them
-  /// @return empty if there is none, or if it has to wait
-  std::optional<Whole> takeWhole(TimePoint now, TimePoint::duration patience);
-
-  /// When takeWhole() will return the picture that waits, if nothing else comes. It is TimePoint::max() if none waits.
-  TimePoint endOfWaiting(TimePoint::duration patience) const;
+  /// @return empty if there is none
+  std::optional<Begun> takeWhole();
 
   /// The status to send to the robot.
   /// @param all_sent false: parts that may still be on their way are not asked for
@@ -69,25 +63,13 @@ class PictureAssembly {
   int givenUpInARow() const { return given_up_in_a_row_; }
 
  private:
-  struct Incomplete {
-    protocol::version2::ImageHeader header;
-    std::vector<std::uint8_t> jpeg;
-    std::vector<bool> has_part;
-    std::size_t missing;
-    TimePoint began;
-    std::size_t sent = 0;  // the robot has sent at least this many parts
-    TimePoint completed{};
-  };
-
-  static bool take(const protocol::version2::PictureDatagram& datagram, const unsigned char* bytes,
-                   Incomplete& picture);
   std::int64_t nextWanted() const;
-  Incomplete* find(const protocol::version2::PictureDatagram& datagram, TimePoint now);
+  Begun& findOrBegin(const protocol::version2::PictureDatagram& datagram, TimePoint now);
   void giveUpOldest();
 
-  std::map<std::int64_t, Incomplete> incomplete_;  // the key is the picture's number
-  std::int64_t last_settled_ = -1;                 // the number of the newest settled picture
-  std::int64_t newest_ = -1;                       // the newest picture of which a part has come
+  std::map<std::int64_t, Begun> begun_;  // by the picture's number
+  std::int64_t last_settled_ = -1;       // the number of the newest settled picture
+  std::int64_t newest_ = -1;             // the newest picture of which a part has come
   std::uint64_t lost_ = 0;
   int given_up_in_a_row_ = 0;
 };

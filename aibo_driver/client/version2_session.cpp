@@ -397,7 +397,13 @@ bool Version2Session::datagramArrived(const std::uint8_t* data, std::size_t size
     return false;
   }
   const bool is_robots = datagrams_.arrived(data, size, now);
-  deliverWholePictures(now);
+  if (auto whole = datagrams_.takeWhole()) {
+    const auto picture = inspect(std::move(whole->jpeg), whole->header, whole->began);
+    if (picture && !isOfTheFuture(whole->header.frame_number)) {
+      datagrams_.goodPicture(whole->number, now);
+      deliverFromStream(picture);
+    }
+  }
   return is_robots;
 }
 
@@ -405,17 +411,6 @@ bool Version2Session::isTest(const std::uint8_t* data, std::size_t size) const {
   std::array<std::uint8_t, version2::MAX_DATAGRAM_SIZE> test;
   version2::encodeTest({0, true, test_start_.sequence, test_start_.picture}, test.data());
   return std::equal(test.begin(), test.end(), data, data + size);
-}
-
-void Version2Session::deliverWholePictures(TimePoint now) {
-  now_ = now;
-  while (const auto whole = datagrams_.takeWhole(now)) {
-    const auto picture = inspect(whole->jpeg, whole->header, whole->began);
-    if (picture && !isOfTheFuture(whole->header.frame_number)) {
-      datagrams_.goodPicture(whole->number, now);
-      deliverFromStream(picture);
-    }
-  }
 }
 
 void Version2Session::onFrame() {
@@ -745,7 +740,6 @@ Session::TimePoint Version2Session::answerDeadline() const {
 
 void Version2Session::checkDeadlines(TimePoint now) {
   const ConnectionContext& context = connection_.context;
-  deliverWholePictures(now);
   if (connection_.pictures.streaming() && now >= pictureDeadline()) {
     const std::string problem = datagrams_.problem(now, connection_.pictures.extraInterval());
     if (problem.empty()) {

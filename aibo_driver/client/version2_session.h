@@ -130,7 +130,6 @@ class Version2Session final : public Session {
   void onDatagrams(const Payload& payload);
   void giveUpDatagrams(const std::string& why, TimePoint now);
   bool isTest(const std::uint8_t* data, std::size_t size) const;
-  void deliverWholePictures(TimePoint now);
 
   std::optional<char> kindOf(int number) const;
   std::uint64_t orderOf(int number) const;

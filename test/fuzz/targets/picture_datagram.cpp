@@ -105,12 +105,12 @@ class Receiver {
   }
 
   void takePictures() {
-    while (const auto whole = intake_.takeWhole(now_)) {
+    while (const auto whole = intake_.takeWhole()) {
       take(*whole);
     }
   }
 
-  void take(const PictureAssembly::Whole& whole) {
+  void take(const PictureAssembly::Begun& whole) {
     require(!whole.jpeg.empty() && whole.jpeg.size() <= version2::MAX_JPEG_SIZE, "a picture has a possible size");
     require(whole.began <= now_, "it began before it was whole");
     if (whole.header.quality != 0) {
