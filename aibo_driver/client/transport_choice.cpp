@@ -1,6 +1,5 @@
 #include "client/transport_choice.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace aibo_client {
@@ -21,14 +20,13 @@ TransportChoice::Step TransportChoice::next(const Situation& situation, TimePoin
     return Step::kNone;
   }
   if (port_ != 0 || trials_.has_passed || (insists() && !trials_.given_up)) {
-    return begin(situation.port, now);
+    return begin(situation.port);
   }
   return situation.streaming ? test(now) : Step::kNone;
 }
 
-TransportChoice::Step TransportChoice::begin(int port, TimePoint now) {
+TransportChoice::Step TransportChoice::begin(int port) {
   port_ = port;
-  began_ = now;
   trials_.given_up = trials_.has_passed = false;
   trials_.tests = 0;
   return Step::kBegin;
@@ -53,11 +51,9 @@ TransportChoice::Step TransportChoice::test(TimePoint now) {
 }
 
 void TransportChoice::giveUp(TimePoint now) {
-  trials_.pause = now >= began_ + kProven ? kPause : trials_.pause;
   trials_.given_up = true;
   trials_.has_passed = false;
-  trials_.next_test = now + trials_.pause;
-  trials_.pause = std::min(2 * trials_.pause, kLongestPause);
+  trials_.next_test = now + kPauseAfterFailure;
 }
 
 }  // namespace aibo_client

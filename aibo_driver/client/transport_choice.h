@@ -19,12 +19,10 @@ class TransportChoice {
   /// How many tests are sent, because one can be lost. The wait after each is twice as long as the one before.
   static constexpr int kTests = 4;
   static constexpr std::chrono::milliseconds kFirstWait{50};
-  /// The time until the next tests if none has come, or if UDP was given up. In the latter case it doubles each time,
-  /// so that the transport does not change all the time.
+  /// The time until the next tests if none has come.
   static constexpr std::chrono::seconds kPause{10};
-  static constexpr std::chrono::seconds kLongestPause{160};
-  /// If UDP has worked for this long, the next pause is short again.
-  static constexpr std::chrono::seconds kProven{60};
+  /// The time until the next tests if UDP was given up in use, so that the transport does not change all the time.
+  static constexpr std::chrono::seconds kPauseAfterFailure{60};
 
   struct Situation {
     PictureTransport wanted;
@@ -66,10 +64,9 @@ class TransportChoice {
     bool has_passed = false;
     int tests = 0;  ///< how many were sent since the last pause
     TimePoint next_test{};
-    std::chrono::seconds pause = kPause;
   };
 
-  Step begin(int port, TimePoint now);
+  Step begin(int port);
   Step test(TimePoint now);
 
   PictureTransport wanted_ = PictureTransport::kTcp;
@@ -77,7 +74,6 @@ class TransportChoice {
   Trials trials_;
   int port_ = 0;
   TimePoint next_look_ = TimePoint::max();
-  TimePoint began_;
   std::string problem_;
 };
 
