@@ -119,8 +119,8 @@ void Connection::tellRefused(const Call& call, RefusalCause cause, const std::st
 }
 
 void Connection::giveUpDatagrams(const std::string& why, LogLevel level) {
-  transport = PictureTransport::kTcp;
-  if (why != std::exchange(transport_problem, why)) {
+  status.transport = PictureTransport::kTcp;
+  if (why != std::exchange(status.transport_problem, why)) {
     context.notifier.log(level, context.address + " sends its pictures by TCP, not by UDP: " + why + ".");
   }
 }

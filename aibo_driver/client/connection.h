@@ -87,12 +87,10 @@ struct Connection {
   SoundIntake sound;
   PendingCalls calls;
   CommandOutbox commands;
+  ConnectionStatus status;              ///< what the session has found out is in it at once
   RobotInfo robot;                      ///< the server's introduction of itself
-  std::string robot_message;            ///< the robot's last report without a request, if it still holds
   std::string goes_off;                 ///< why the robot goes off, if it has said that it does
   MotorsAndPosture motors_and_posture;  ///< the last report of the robot
-  PictureTransport transport = PictureTransport::kTcp;  ///< the transport of the stream's pictures
-  std::string transport_problem;                        ///< why the pictures do not come by UDP; empty if they may
 
  private:
   void tell(const Refusal& refusal);

@@ -120,7 +120,9 @@ void ConnectionLoop::run() {
 void ConnectionLoop::connectAndServe() {
   pauseUntil(next_attempt_);
   attempt_began_ = steady_clock::now();
-  updateStatus([](ConnectionStatus& status) { status.state = ConnectionState::kConnecting; });
+  ConnectionStatus status = this->status();
+  status.state = ConnectionState::kConnecting;
+  publish(status);
   transport_->connect(options_.host, options_.port, attempt_began_ + options_.connect_timeout);
   ++counters_.connections;
   connected_ = steady_clock::now();
@@ -141,12 +143,15 @@ void ConnectionLoop::connectAndServe() {
 void ConnectionLoop::beginSession() {
   connection_.emplace(ConnectionContext{address_, options_.read_timeout, notifier_, counters_, counters_.connections},
                       connected_);
+  connection_->status = status();
   Session::Bytes bytes;
   VersionAnswer answer = VersionAnswer::kNotAsked;
   if (options_.protocol_version != 1) {
     bytes = askForVersion2();
     answer = takeVersionAnswer(&bytes);
   }
+  connection_->status.robot_message.clear();
+  connection_->status.transport_problem.clear();
   if (answer == VersionAnswer::kVersion2) {
     session_ = std::make_unique<Version2Session>(*connection_, connected_);
   } else {
@@ -198,8 +203,9 @@ void ConnectionLoop::takeNews() {
     requests.swap(shared_.requests);
     wanted_ = shared_.wanted;
   }
+  connection_->status.wanted_transport = wanted_.transport;
   if (wanted_.transport_changes != transport_changes) {
-    connection_->transport_problem.clear();
+    connection_->status.transport_problem.clear();
   }
   for (const auto& request : requests) {
     request(*connection_);
@@ -240,7 +246,7 @@ void ConnectionLoop::listen() {
     update(&Shared::motors_and_posture, connection_->motors_and_posture, &Callbacks::on_motors_and_posture,
            "on_motors_and_posture");
   }
-  reportSession();
+  publish(connection_->status);
 }
 
 /// @return true if no datagram is left
@@ -265,38 +271,20 @@ bool ConnectionLoop::takeDatagrams() {
   return false;
 }
 
-void ConnectionLoop::reportSession() {
-  const bool is_known = read([this](const Shared& shared) {
-    return shared.status.robot_message == connection_->robot_message &&
-           shared.status.transport == connection_->transport && shared.status.wanted_transport == wanted_.transport &&
-           shared.status.transport_problem == connection_->transport_problem;
-  });
-  if (is_known) {
-    // Nearly every picture gets here, and copying the status is not worth it for each of them.
-    return;
-  }
-  updateStatus([this](ConnectionStatus& status) {
-    status.robot_message = connection_->robot_message;
-    status.transport = connection_->transport;
-    status.wanted_transport = wanted_.transport;
-    status.transport_problem = connection_->transport_problem;
-  });
-}
-
 // The connection works, so earlier faults are over.
 void ConnectionLoop::onReady() {
   backoff_.reset();
   logged_faults_.clear();
   went_off_.clear();
   notifier_.log(LogLevel::kInfo, "Connected to " + address_ + ".");
-  updateStatus([this](ConnectionStatus& status) {
-    status.state = ConnectionState::kConnected;
-    status.protocol_version = session_->protocolVersion();
-    status.robot = connection_->robot;
-    status.fault = FaultKind::kNone;
-    status.reason.clear();
-    status.advice.clear();
-  });
+  ConnectionStatus& status = connection_->status;
+  status.state = ConnectionState::kConnected;
+  status.protocol_version = session_->protocolVersion();
+  status.robot = connection_->robot;
+  status.fault = FaultKind::kNone;
+  status.reason.clear();
+  status.advice.clear();
+  publish(status);
 }
 
 void ConnectionLoop::onFault(const Fault& cause) {
@@ -332,15 +320,15 @@ void ConnectionLoop::endConnection(const std::string& reason, const std::string&
   connected_ = TimePoint::max();
   update(&Shared::streaming, false, &Callbacks::on_streaming, "on_streaming");
   update(&Shared::motors_and_posture, MotorsAndPosture(), &Callbacks::on_motors_and_posture, "on_motors_and_posture");
-  updateStatus([&](ConnectionStatus& status) {
-    status.state = ConnectionState::kDisconnected;
-    status.protocol_version = 0;
-    status.robot = RobotInfo();
-    status.transport = PictureTransport::kTcp;
-    status.fault = kind;
-    status.reason = reason;
-    status.advice = advice;
-  });
+  ConnectionStatus status = connection_ ? connection_->status : this->status();
+  status.state = ConnectionState::kDisconnected;
+  status.protocol_version = 0;
+  status.robot = RobotInfo();
+  status.transport = PictureTransport::kTcp;
+  status.fault = kind;
+  status.reason = reason;
+  status.advice = advice;
+  publish(status);
   change([](Shared& shared) { shared.sound = SoundPart(); });
   if (session_) {
     takeNews();
@@ -351,17 +339,13 @@ void ConnectionLoop::endConnection(const std::string& reason, const std::string&
   connection_.reset();
 }
 
-template <typename Change>
-void ConnectionLoop::updateStatus(const Change& change) {
-  ConnectionStatus status;
+void ConnectionLoop::publish(const ConnectionStatus& status) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    status = shared_.status;
-    change(shared_.status);
     if (status == shared_.status) {
       return;
     }
-    status = shared_.status;
+    shared_.status = status;
   }
   connected_or_stopped_.notify_all();
   notifier_.tell(&Callbacks::on_status, "on_status", status);

@@ -62,6 +62,10 @@ class ConnectionLoop {
     return read(shared_);
   }
 
+  ConnectionStatus status() const {
+    return read([](const Shared& shared) { return shared.status; });
+  }
+
   /// Lets `change` change the shared state, and makes the client's thread look at it.
   template <typename Change>
   void change(const Change& change) {
@@ -98,7 +102,6 @@ class ConnectionLoop {
   int datagramPort(const Settings& wanted);
   void listen();
   bool takeDatagrams();
-  void reportSession();
   void onReady();
   void onFault(const Fault& cause);
   bool wasTurnedAway(const Fault& fault) const;
@@ -106,8 +109,7 @@ class ConnectionLoop {
   template <typename Value, typename Argument>
   void update(Value Shared::*member, const Value& value, std::function<void(Argument)> Callbacks::*callback,
               const char* name);
-  template <typename Change>
-  void updateStatus(const Change& change);
+  void publish(const ConnectionStatus& status);
   /// True from the end of a successful attempt to connect to the end of the connection.
   bool established() const { return connected_ != TimePoint::max(); }
   bool isStopped() const;

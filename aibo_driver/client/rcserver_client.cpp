@@ -493,7 +493,7 @@ MotorsAndPosture RcServerClient::motorsAndPosture() const {
 }
 
 ConnectionStatus RcServerClient::status() const {
-  return loop_->read([](const Shared& shared) { return shared.status; });
+  return loop_->status();
 }
 
 std::string RcServerClient::robotDesign() const {

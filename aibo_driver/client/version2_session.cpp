@@ -159,7 +159,7 @@ Session::Bytes Version2Session::requestTransport(const Settings& wanted, TimePoi
       return requestDatagrams(transport_.port(), false, start_, now);
     case TransportChoice::Step::kEnd:
       datagrams_.end();
-      connection_.transport = PictureTransport::kTcp;
+      connection_.status.transport = PictureTransport::kTcp;
       connection_.pictures.signOfPicture(now);  // from now on, pictures are due by TCP
       return requestDatagrams(0, false, start_, now);
     default:
@@ -617,8 +617,8 @@ void Version2Session::onDatagrams(const Payload& payload) {
       order.first_picture != start_.picture) {
     return;
   }
-  connection_.transport = PictureTransport::kUdp;
-  connection_.transport_problem.clear();
+  connection_.status.transport = PictureTransport::kUdp;
+  connection_.status.transport_problem.clear();
   datagrams_.expectFrom(now_);
 }
 
@@ -706,7 +706,7 @@ void Version2Session::onReport(const Payload& payload) {
   if (reports_.size() > kMostReports) {
     reports_.erase(reports_.begin());
   }
-  connection_.robot_message = report.text;
+  connection_.status.robot_message = report.text;
   connection_.goes_off = message.code == version2::CODE_POWER ? report.text : connection_.goes_off;
   connection_.context.warn("reports: " + report.text);
 }
@@ -720,14 +720,14 @@ void Version2Session::onMotorsAndPosture(const Payload& payload) {
 void Version2Session::jointFollowsAgain(const std::string& joint) {
   removeIf(&reports_,
            [&joint](const Report& each) { return each.joint_fault && each.text.rfind(joint + " ", 0) == 0; });
-  connection_.robot_message = reports_.empty() ? "" : reports_.back().text;
+  connection_.status.robot_message = reports_.empty() ? "" : reports_.back().text;
   connection_.context.notifier.log(LogLevel::kInfo, "The joint " + joint + " follows its commands again.");
 }
 
 // Removes the reports of what kept the robot from walking.
 void Version2Session::bodyMovesAgain() {
   removeIf(&reports_, [](const Report& each) { return each.about_body; });
-  connection_.robot_message = reports_.empty() ? "" : reports_.back().text;
+  connection_.status.robot_message = reports_.empty() ? "" : reports_.back().text;
 }
 
 Session::TimePoint Version2Session::answerDeadline() const {

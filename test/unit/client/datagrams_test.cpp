@@ -101,12 +101,12 @@ TEST_F(DatagramOrderTest, NamesThePortOnceUntilItChangesWithOtherNumbersEachTime
   EXPECT_EQ('B', request());
   EXPECT_EQ(0, order_.port);
   answer(payload_);
-  EXPECT_EQ(PictureTransport::kTcp, connection_.transport);
+  EXPECT_EQ(PictureTransport::kTcp, connection_.status.transport);
 }
 
 TEST_F(DatagramOrderTest, ThatIsRefusedMeansTcp) {
   refuse("no endpoint");
-  EXPECT_EQ("it refused to: no endpoint", connection_.transport_problem);
+  EXPECT_EQ("it refused to: no endpoint", connection_.status.transport_problem);
   EXPECT_EQ(1u, counters_.refusals);
   answer();
   arriveByTcp(1, frameOf(1));
@@ -124,7 +124,7 @@ TEST_F(DatagramsTest, APictureByUdpDoesNotTellUntilWhenOrdersAreGood) {
 }
 
 TEST_F(DatagramsTest, APictureIsDeliveredWhenItIsWholeInAnyOrderOfItsParts) {
-  EXPECT_EQ(PictureTransport::kUdp, connection_.transport);
+  EXPECT_EQ(PictureTransport::kUdp, connection_.status.transport);
   std::vector<Bytes> datagrams = nextPicture();
   ASSERT_GE(datagrams.size(), 3u);
   std::reverse(datagrams.begin(), datagrams.end());
@@ -181,7 +181,7 @@ TEST_F(DatagramsTest, ForgedOnesDoNotStopTheStream) {
     }
     arrive(nextPicture());
   });
-  EXPECT_EQ("", connection_.transport_problem);
+  EXPECT_EQ("", connection_.status.transport_problem);
   EXPECT_GE(pictures_.size(), picture_ * 9 / 10);
 }
 
@@ -199,14 +199,14 @@ TEST_F(DatagramsTest, AForgedGoodPictureThatIsFarAheadBringsTheReturnToTcpAtWors
   unsigned sequence = order_.first_sequence + 200;
   arrive(test_support::makeDatagrams(makeJpeg(1), numberOf(picture_ + 100), frameOf(picture_ + 1), &sequence));
   live(milliseconds(1300), [this] { arrive(nextPicture()); });
-  EXPECT_EQ(PictureTransport::kTcp, connection_.transport);
+  EXPECT_EQ(PictureTransport::kTcp, connection_.status.transport);
 }
 
 TEST_F(DatagramsTest, OnlyGoodPicturesPostponeTheReturnToTcp) {
   live(milliseconds(1300),
        [this] { arrive(test_support::makeDatagrams(Bytes(100, 'x'), numberOf(++picture_), kFrame, &sequence_)); });
-  EXPECT_THAT(connection_.transport_problem, testing::HasSubstr("datagrams come, but no good picture"));
-  EXPECT_EQ(PictureTransport::kTcp, connection_.transport);
+  EXPECT_THAT(connection_.status.transport_problem, testing::HasSubstr("datagrams come, but no good picture"));
+  EXPECT_EQ(PictureTransport::kTcp, connection_.status.transport);
 }
 
 TEST_F(DatagramsTest, APictureIsBelievedToBeAsFarAheadAsTheOutageWasLong) {
@@ -228,7 +228,7 @@ TEST_F(DatagramsTest, AnOutageOfTheRadioIsNoReasonForTcp) {
     beOutOfReach(milliseconds(outage));
     live(milliseconds(96));
     live(milliseconds(2000), [this] { arrive(nextPicture()); });
-    EXPECT_EQ("", connection_.transport_problem) << outage;
+    EXPECT_EQ("", connection_.status.transport_problem) << outage;
   }
 }
 
@@ -238,8 +238,8 @@ TEST_F(DatagramsTest, WithoutAWholePictureInTwentyThePicturesComeByTcpWhereSilen
     cut.pop_back();
     arrive(cut);
   });
-  EXPECT_THAT(connection_.transport_problem, testing::HasSubstr("no picture is complete"));
-  ASSERT_EQ(PictureTransport::kTcp, connection_.transport);
+  EXPECT_THAT(connection_.status.transport_problem, testing::HasSubstr("no picture is complete"));
+  ASSERT_EQ(PictureTransport::kTcp, connection_.status.transport);
   EXPECT_EQ(kSilentStream, whyGivenUp([this] { live(std::chrono::seconds(1)); }));
 }
 

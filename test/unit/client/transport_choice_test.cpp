@@ -83,9 +83,9 @@ TEST_F(TransportChoiceTest, WhereNoTestComesNoPictureIsLostAndTheReasonIsToldUnt
   lets_through_ = false;
   answerAll();
   watch(milliseconds(700));
-  EXPECT_EQ("", connection_.transport_problem);
+  EXPECT_EQ("", connection_.status.transport_problem);
   watch(milliseconds(100));
-  EXPECT_THAT(connection_.transport_problem, testing::HasSubstr("no test datagram has come; a firewall"));
+  EXPECT_THAT(connection_.status.transport_problem, testing::HasSubstr("no test datagram has come; a firewall"));
   watch(seconds(9));
   EXPECT_EQ(4, tests_);
   EXPECT_EQ("", ways_);
@@ -93,7 +93,7 @@ TEST_F(TransportChoiceTest, WhereNoTestComesNoPictureIsLostAndTheReasonIsToldUnt
   lets_through_ = true;
   watch(seconds(10));
   EXPECT_EQ("U", ways_);
-  EXPECT_EQ("", connection_.transport_problem);
+  EXPECT_EQ("", connection_.status.transport_problem);
   EXPECT_EQ(picture_, pictures_.size()) << "the change loses and doubles nothing";
 }
 
@@ -105,7 +105,7 @@ TEST_F(TransportChoiceTest, UdpIsUsedAfterOneTestAndTriedAgainAfterDatagramsHave
   lets_through_ = false;
   watch(milliseconds(1500));
   EXPECT_EQ("UT", ways_);
-  EXPECT_THAT(connection_.transport_problem, testing::HasSubstr("no datagram has come for 1 s"));
+  EXPECT_THAT(connection_.status.transport_problem, testing::HasSubstr("no datagram has come for 1 s"));
   lets_through_ = true;
   watch(seconds(59));
   EXPECT_EQ("UT", ways_);
@@ -153,7 +153,7 @@ TEST_F(TransportChoiceTest, TheChangeToTcpLosesAndDoublesNoPicture) {
   }
   EXPECT_EQ(picture_ + 1, pictures_.size());
   watch(seconds(1));  // the picture that was cut off is not waited for
-  EXPECT_EQ("", connection_.transport_problem);
+  EXPECT_EQ("", connection_.status.transport_problem);
 }
 
 TEST_F(TransportChoiceTest, AfterAChangeByTheUserUdpIsTriedAtOnce) {

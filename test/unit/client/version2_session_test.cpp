@@ -788,9 +788,9 @@ TEST_F(Version2SessionTest, TextsAreCutAt512BytesBetweenCharacters) {
   };
   const std::string most(511, 'x');
   report('e', {0, 3}, most + "\xc3\xa9" + std::string(60000, 'y'));
-  EXPECT_EQ(most + "...", connection_.robot_message);
+  EXPECT_EQ(most + "...", connection_.status.robot_message);
   report('e', {0, 3}, most + "x");
-  EXPECT_EQ(most + "x", connection_.robot_message);
+  EXPECT_EQ(most + "x", connection_.status.robot_message);
   report('i', {1, 0, 0, 0}, std::string(60000, 'x') + "\n" + std::string(60000, 'y'));
   EXPECT_EQ(std::string(512, 'x') + "...", ended_[0].name);
   EXPECT_EQ(std::string(512, 'y') + "...", ended_[0].reason);
@@ -799,7 +799,7 @@ TEST_F(Version2SessionTest, TextsAreCutAt512BytesBetweenCharacters) {
 TEST_F(Version2SessionTest, ReportsOfAJointAreOverWhenItFollowsAgain) {
   const auto follows = [this](const std::string& joint) {
     push('i', version2_frames::makeEnd(version2::ENDED_JAM, version2::END_DONE, joint, ""));
-    return connection_.robot_message;
+    return connection_.status.robot_message;
   };
   for (const char* const joint : {"mouth", "tail_tilt", "mouth"}) {
     push('e', version2_frames::makeError(3, joint + std::string(" is jammed")));
