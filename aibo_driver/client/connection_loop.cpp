@@ -196,7 +196,7 @@ void ConnectionLoop::talk() {
 
 /// Takes over the user's settings and new requests.
 void ConnectionLoop::takeNews() {
-  const unsigned transport_changes = wanted_.transport_changes;
+  const PictureTransport transport = wanted_.transport;
   std::vector<std::function<void(Connection&)>> requests;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -204,7 +204,7 @@ void ConnectionLoop::takeNews() {
     wanted_ = shared_.wanted;
   }
   connection_->status.wanted_transport = wanted_.transport;
-  if (wanted_.transport_changes != transport_changes) {
+  if (wanted_.transport != transport) {
     connection_->status.transport_problem.clear();
   }
   for (const auto& request : requests) {

@@ -232,10 +232,7 @@ void RcServerClient::setCameraSettings(const CameraSettings& settings) {
 }
 
 void RcServerClient::setPictureTransport(PictureTransport transport) {
-  loop_->change([transport](Shared& shared) {
-    shared.wanted.transport_changes += shared.wanted.transport != transport ? 1 : 0;
-    shared.wanted.transport = transport;
-  });
+  loop_->change([transport](Shared& shared) { shared.wanted.transport = transport; });
 }
 
 void RcServerClient::setColorDetection(const ColorDetection& detection) {

@@ -22,8 +22,7 @@ struct Settings {
   StreamFormat format{};
   CameraSettings camera{};
   PictureTransport transport = PictureTransport::kTcp;
-  unsigned transport_changes = 0;  ///< how often the user has changed the transport
-  int datagram_port = 0;           ///< the port to which pictures can be sent by UDP; 0 if they have to come by TCP
+  int datagram_port = 0;  ///< the port to which pictures can be sent by UDP; 0 if they have to come by TCP
   ColorDetection colors{};
   ColorTables color_tables{};  ///< sent only while colours are detected
   MicrophoneSettings microphone{};

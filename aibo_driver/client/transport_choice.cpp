@@ -4,25 +4,24 @@
 
 namespace aibo_client {
 
-TransportChoice::Step TransportChoice::next(const Situation& situation, TimePoint now) {
+TransportChoice::Step TransportChoice::next(PictureTransport wanted, int port, bool streaming, TimePoint now) {
   next_look_ = TimePoint::max();
-  wanted_ = situation.wanted;
-  if (situation.changes != std::exchange(changes_, situation.changes)) {
+  if (wanted != std::exchange(wanted_, wanted)) {
     trials_ = Trials();
   }
-  const bool is_possible = wanted_ != PictureTransport::kTcp && situation.port != 0;
+  const bool is_possible = wanted != PictureTransport::kTcp && port != 0;
   if (port_ != 0 && (!is_possible || trials_.given_up)) {
     port_ = 0;
     return Step::kEnd;
   }
   problem_.clear();
-  if (!is_possible || port_ == situation.port) {
+  if (!is_possible || port_ == port) {
     return Step::kNone;
   }
   if (port_ != 0 || trials_.has_passed || (insists() && !trials_.given_up)) {
-    return begin(situation.port);
+    return begin(port);
   }
-  return situation.streaming ? test(now) : Step::kNone;
+  return streaming ? test(now) : Step::kNone;
 }
 
 TransportChoice::Step TransportChoice::begin(int port) {

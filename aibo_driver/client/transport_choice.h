@@ -24,18 +24,12 @@ class TransportChoice {
   /// The time until the next tests if UDP was given up in use, so that the transport does not change all the time.
   static constexpr std::chrono::seconds kPauseAfterFailure{60};
 
-  struct Situation {
-    PictureTransport wanted;
-    unsigned changes;  ///< how often the user has changed `wanted`
-    int port;          ///< the client's port for datagrams; 0 if there is none
-    bool streaming;
-  };
-
   /// What to ask the robot for.
   enum class Step { kNone, kTest, kBegin, kEnd };
 
   /// The next step. The caller has to take it, because it then counts as taken.
-  Step next(const Situation& situation, TimePoint now);
+  /// @param port the client's port for datagrams; 0 if there is none
+  Step next(PictureTransport wanted, int port, bool streaming, TimePoint now);
 
   /// Call this when the test datagram has come.
   void testArrived() { trials_.has_passed = true; }
@@ -70,7 +64,6 @@ class TransportChoice {
   Step test(TimePoint now);
 
   PictureTransport wanted_ = PictureTransport::kTcp;
-  unsigned changes_ = 0;
   Trials trials_;
   int port_ = 0;
   TimePoint next_look_ = TimePoint::max();

@@ -145,8 +145,7 @@ Session::Bytes Version2Session::requestStream(const Settings& wanted, TimePoint 
 }
 
 Session::Bytes Version2Session::requestTransport(const Settings& wanted, TimePoint now) {
-  const TransportChoice::Step step =
-      transport_.next({wanted.transport, wanted.transport_changes, wanted.datagram_port, wanted.streaming}, now);
+  const TransportChoice::Step step = transport_.next(wanted.transport, wanted.datagram_port, wanted.streaming, now);
   if (!transport_.problem().empty()) {
     connection_.giveUpDatagrams(transport_.problem(), transport_.insists() ? LogLevel::kWarn : LogLevel::kInfo);
   }
