@@ -67,13 +67,6 @@ Version2Session::Version2Session(Connection& connection, TimePoint connected)
   camera_.fill(kNotRequested);
 }
 
-// The camera is set before the stream starts, so that its first picture has the settings. Tables of colours go before
-// the detection, so that the first push has all of them.
-const std::array<Version2Session::RequestSetting, 7> Version2Session::kSettings = {
-    &Version2Session::requestCameraSetting, &Version2Session::requestTransport,  &Version2Session::requestStream,
-    &Version2Session::requestTelemetry,     &Version2Session::requestColorTable, &Version2Session::requestColors,
-    &Version2Session::requestMicrophone};
-
 Session::Bytes Version2Session::nextRequest(const Settings& wanted, TimePoint now) {
   connection_.dropTooOld(now);
   Call* const stop = connection_.calls.nextStop();
@@ -89,7 +82,12 @@ Session::Bytes Version2Session::nextRequest(const Settings& wanted, TimePoint no
   if (!ready_) {
     return {};
   }
-  for (const auto request_setting : kSettings) {
+  // The camera is set before the stream starts, so that its first picture has the settings. Tables of colours go before
+  // the detection, so that the first push has all of them.
+  using Self = Version2Session;
+  for (const auto request_setting :
+       {&Self::requestCameraSetting, &Self::requestTransport, &Self::requestStream, &Self::requestTelemetry,
+        &Self::requestColorTable, &Self::requestColors, &Self::requestMicrophone}) {
     if (Bytes frame = (this->*request_setting)(wanted, now); !frame.empty()) {
       return frame;
     }

@@ -72,12 +72,9 @@ class Version2Session final : public Session {
     bool about_body;  ///< such as that it lies on its side; over when it walks or takes a posture again
   };
 
-  /// Makes the next request for a setting. It is empty if the robot has been asked for what the user wants.
-  using RequestSetting = Bytes (Version2Session::*)(const Settings& wanted, TimePoint now);
-  static const std::array<RequestSetting, 7> kSettings;  ///< in the order in which they are sent
-
   Bytes requestHello(TimePoint now);
   StreamFormat possibleFormat(const Settings& wanted) const;
+  // These requests for settings are empty if the robot has been asked for what the user wants.
   Bytes requestCameraSetting(const Settings& wanted, TimePoint now);
   Bytes requestTransport(const Settings& wanted, TimePoint now);
   Bytes requestStream(const Settings& wanted, TimePoint now);
