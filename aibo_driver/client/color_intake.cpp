@@ -14,8 +14,6 @@ namespace version2 = protocol::version2;
 
 namespace {
 
-constexpr std::chrono::milliseconds kShortestImageInterval{32};  // no camera is faster
-
 DetectedRegion regionOf(const version2::ColorRegion& region, const std::string& name) {
   constexpr double kScale = version2::COLOR_CENTROID_SCALE;
   return {region.channel, name,       region.pixels, region.x / kScale, region.y / kScale,
@@ -23,10 +21,6 @@ DetectedRegion regionOf(const version2::ColorRegion& region, const std::string& 
 }
 
 }  // namespace
-
-void ColorIntake::askedFor(const ColorDetection& detection) {
-  detection_ = detection;
-}
 
 void ColorIntake::receive(const unsigned char* payload, std::size_t size, const ColorTables& tables,
                           std::chrono::steady_clock::time_point arrival) {
@@ -59,19 +53,8 @@ void ColorIntake::receive(const unsigned char* payload, std::size_t size, const 
 }
 
 void ColorIntake::deliver() {
-  if (!newest_) {
-    return;
-  }
-  const std::optional<DetectedColors> colors = std::exchange(newest_, std::nullopt);
-  const auto period = detection_.every_nth_image * kShortestImageInterval / 2;
-  if (limit_.admit(colors->arrival, period).is_admitted) {
+  if (const std::optional<DetectedColors> colors = std::exchange(newest_, std::nullopt)) {
     context_.notifier.tell(&Callbacks::on_colors, "on_colors", *colors);
-    return;
-  }
-  ++context_.counters.thinned_colors;
-  if (!std::exchange(thinning_is_logged_, true)) {
-    context_.warn(
-        "sends detected colours more than twice as often as it was asked to; the rest is dropped and counted");
   }
 }
 

@@ -9,7 +9,6 @@
 #include <string>
 
 #include "aibo_client/colors.h"
-#include "system/rate_limit.h"
 
 namespace aibo_client {
 
@@ -19,14 +18,14 @@ struct ConnectionContext;
 using ColorTables = std::array<ColorTablePtr, kMostColorChannels>;
 
 /// Checks and delivers the colours that were detected over one connection. It does not trust the robot: it delivers
-/// only what is possible, and no more than was asked for. What it drops is counted, and logged once.
+/// only what is possible, and only the newest of what has come at once. What is impossible is counted, and logged once.
 class ColorIntake {
  public:
   /// @param context must outlive the object
   explicit ColorIntake(const ConnectionContext& context) : context_(context) {}
 
-  /// Call this with each request to the robot. In the long run, at most twice as much as requested is delivered.
-  void askedFor(const ColorDetection& detection);
+  /// Call this with each request to the robot.
+  void askedFor(const ColorDetection& detection) { detection_ = detection; }
   const ColorDetection& detection() const { return detection_; }
 
   /// Parses a message that the robot sent without a request.
@@ -46,9 +45,7 @@ class ColorIntake {
 
   const ConnectionContext& context_;
   ColorDetection detection_;
-  aibo_system::RateLimit limit_{16};
   std::optional<DetectedColors> newest_;
-  bool thinning_is_logged_ = false;
   bool impossible_is_logged_ = false;
 };
 

@@ -194,15 +194,4 @@ TEST_F(ColorsTest, WhatWasNotAskedForIsLeftOut) {
   EXPECT_THAT(colors_[0].regions, IsEmpty()) << "the channel has no table";
 }
 
-TEST_F(ColorsTest, MoreThanTwiceAsManyAsAskedForAreDroppedAndCounted) {
-  detectBall();
-  for (int i = 0; i < 100; ++i) {
-    pass(std::chrono::milliseconds(1));
-    push(regionsOf({kBall}));
-  }
-  EXPECT_LT(colors_.size(), 20U);
-  EXPECT_EQ(colors_.size() + counters_.thinned_colors, 100U);
-  EXPECT_EQ(logged("more than twice as often"), 1);
-}
-
 }  // namespace

@@ -78,8 +78,7 @@ struct Callbacks {
   /// is made and, with everything unknown, when a connection ends.
   std::function<void(const MotorsAndPosture& state)> on_motors_and_posture;
   /// The colours that the robot's camera has detected in an image. If several have arrived together, only the newest
-  /// counts. Colours that come more than twice as often as requested are dropped, and so are regions that contradict
-  /// themselves.
+  /// counts. Regions that contradict themselves are dropped.
   std::function<void(const DetectedColors& colors)> on_colors;
   /// What the robot has heard, in order. If more than twice as much comes as requested, the rest is dropped.
   std::function<void(const HeardSound& sound)> on_heard;

@@ -92,7 +92,6 @@ struct ClientStatistics {
   Counter bytes_received;       ///< bytes read from the socket
   Counter telemetry;            ///< telemetry delivered
   Counter thinned_telemetry;    ///< telemetry dropped: it came more than twice as often as requested
-  Counter thinned_colors;       ///< detected colours dropped: they came more than twice as often as requested
   Counter sounds;               ///< pieces of heard sound that were delivered
   Counter sound_gaps;           ///< how often sound was missing between two pieces
   Counter thinned_sounds;       ///< pieces dropped: more than twice as much came as requested
