@@ -160,18 +160,6 @@ std::vector<std::string> namesIn(const version2::FileList& list) {
   return {list.names, list.names + list.count};
 }
 
-version2::Posture toProtocol(Posture posture) {
-  switch (posture) {
-    case Posture::kStand:
-      return version2::POSTURE_STAND;
-    case Posture::kSit:
-      return version2::POSTURE_SIT;
-    case Posture::kRest:
-      break;
-  }
-  return version2::POSTURE_REST;
-}
-
 }  // namespace
 
 RcServerClient::RcServerClient(const ClientOptions& options, Callbacks callbacks)
@@ -348,7 +336,7 @@ void RcServerClient::takePosture(Posture posture, milliseconds timeout, const Or
 }
 
 std::future<void> RcServerClient::beginPosture(Posture posture, milliseconds timeout, const OrderTerms& terms) {
-  const version2::Posture id = toProtocol(posture);
+  const auto id = static_cast<version2::Posture>(posture);
   Call call = makeCall(version2::TAKE_POSTURE, version2::PostureOrder{0}, version2::postureName(id), id);
   call.terms = terms;
   return exchange(loop_.get(), std::move(call), timeout);

@@ -33,7 +33,7 @@ constexpr const char* kLetGoFirst = "; let go first";
 
 constexpr const char* kNeverWalked = "it was let go before the robot walked";
 
-constexpr const char* kPostures[] = {"stand", "sit", "rest"};  // in the order of aibo_client::Posture
+constexpr const char* kPostures[] = {"", "stand", "sit", "rest"};  // by the number of aibo_client::Posture
 
 OrderTerms termsOf(const Order& order, std::uint64_t number) {
   return {order.received + Mover::kLongestWait, number};

@@ -132,7 +132,7 @@ void RcServerClient::steer(const WalkVelocity& velocity, const OrderTerms& terms
                  (is_named_zero ? " with a number" : ""));
 }
 std::future<void> RcServerClient::beginPosture(Posture posture, milliseconds timeout, const OrderTerms& terms) {
-  constexpr const char* kNames[] = {"stand", "sit", "rest"};
+  constexpr const char* kNames[] = {"", "stand", "sit", "rest"};
   tell(this, kNames[static_cast<int>(posture)], timeout);
   fake(this).terms = terms;
   return answer(this, [] {});

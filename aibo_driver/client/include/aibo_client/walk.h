@@ -22,10 +22,11 @@ struct WalkLimits {
   double turn = 0;     ///< rad/s, in either direction
 };
 
+/// A posture to take, with the number of docs/protocol.md.
 enum class Posture {
-  kStand,
-  kSit,
-  kRest  ///< the robot lies down, then switches its motors off
+  kStand = 1,
+  kSit = 2,
+  kRest = 3  ///< the robot lies down, then switches its motors off
 };
 
 /// The first three numbers are those of docs/protocol.md.
