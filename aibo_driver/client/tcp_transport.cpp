@@ -97,22 +97,39 @@ int pollTimeout(TimePoint deadline) {
 
 TcpTransport::TcpTransport(Resolver resolver) : name_lookup_(std::move(resolver)) {}
 
+// Begins several attempts, one after the other and to all addresses in turn, and takes the first one that succeeds. The
+// kernel repeats a lost packet only after 1 s, and again after 2 s more. That is too slow for a radio link that comes
+// back at once.
 void TcpTransport::connect(const std::string& host, int port, TimePoint deadline) {
   const TimePoint begin = steady_clock::now();
   address_ = addressText(host, port);
   const std::vector<SocketAddress> addresses = lookUp(host, port, deadline);
-  for (std::size_t i = 0; i < addresses.size(); ++i) {
-    const bool last = i + 1 == addresses.size();
-    const TimePoint now = steady_clock::now();
-    const TimePoint share = now + (deadline - now) / static_cast<int>(addresses.size() - i);
+  const FileDescriptor any_attempt(::epoll_create1(EPOLL_CLOEXEC));
+  if (!any_attempt.valid()) {
+    throw Fault::internal("epoll_create1: " + describe(errno));
+  }
+  std::vector<FileDescriptor> attempts;
+  std::size_t failures = 0;
+  while (steady_clock::now() < deadline) {
+    TimePoint patience = deadline;
     try {
-      FileDescriptor socket = connectTo(addresses[i], share);
-      if (socket.valid()) {
+      if (attempts.size() < kMostAttempts + addresses.size()) {
+        const SocketAddress& address = addresses[attempts.size() % addresses.size()];
+        attempts.push_back(openSocket(address.storage.ss_family));
+        beginToConnect(attempts.back().get(), address);
+        add(any_attempt.get(), attempts.back().get(), attempts.size() - 1);
+        patience = std::min(deadline, steady_clock::now() + kAttemptInterval);
+      }
+      if (waitFor(any_attempt.get(), POLLIN, patience)) {
+        epoll_event event = {};
+        ::epoll_wait(any_attempt.get(), &event, 1, 0);
+        FileDescriptor socket = std::move(attempts[event.data.u64]);
+        checkConnected(socket.get());
         socket_ = std::move(socket);
         return;
       }
     } catch (const Fault&) {
-      if (last) {
+      if (++failures == addresses.size()) {
         throw;
       }
     }
@@ -132,40 +149,11 @@ std::vector<SocketAddress> TcpTransport::lookUp(const std::string& host, int por
   return result.addresses;
 }
 
-/// Begins several attempts, one after the other, and takes the first one that succeeds. The kernel repeats a lost
-/// packet only after 1 s, and again after 2 s more. That is too slow for a radio link that comes back at once.
-/// @return an empty descriptor if there was no answer until the deadline
-FileDescriptor TcpTransport::connectTo(const SocketAddress& address, TimePoint deadline) {
-  const FileDescriptor any_attempt(::epoll_create1(EPOLL_CLOEXEC));
-  if (!any_attempt.valid()) {
-    throw Fault::internal("epoll_create1: " + describe(errno));
-  }
-  std::vector<FileDescriptor> attempts;
-  while (steady_clock::now() < deadline) {
-    TimePoint patience = deadline;
-    if (attempts.size() < kMostAttempts) {
-      attempts.push_back(beginToConnect(address));
-      add(any_attempt.get(), attempts.back().get(), attempts.size() - 1);
-      patience = std::min(deadline, steady_clock::now() + kAttemptInterval);
-    }
-    if (waitFor(any_attempt.get(), POLLIN, patience)) {
-      epoll_event event = {};
-      ::epoll_wait(any_attempt.get(), &event, 1, 0);
-      FileDescriptor socket = std::move(attempts[event.data.u64]);
-      checkConnected(socket.get());
-      return socket;
-    }
-  }
-  return FileDescriptor();
-}
-
-FileDescriptor TcpTransport::beginToConnect(const SocketAddress& address) const {
-  FileDescriptor socket = openSocket(address.storage.ss_family);
-  if (::connect(socket.get(), reinterpret_cast<const sockaddr*>(&address.storage), address.size) != 0 &&
+void TcpTransport::beginToConnect(int socket, const SocketAddress& address) const {
+  if (::connect(socket, reinterpret_cast<const sockaddr*>(&address.storage), address.size) != 0 &&
       errno != EINPROGRESS) {
     throwFault(errno);
   }
-  return socket;
 }
 
 void TcpTransport::checkConnected(int socket) const {

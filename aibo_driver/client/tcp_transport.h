@@ -75,8 +75,7 @@ class TcpTransport {
 
  private:
   std::vector<SocketAddress> lookUp(const std::string& host, int port, TimePoint deadline);
-  host_files::FileDescriptor connectTo(const SocketAddress& address, TimePoint deadline);
-  host_files::FileDescriptor beginToConnect(const SocketAddress& address) const;
+  void beginToConnect(int socket, const SocketAddress& address) const;
   void checkConnected(int socket) const;
   bool waitFor(int descriptor, short events, TimePoint deadline);
   std::pair<short, short> pollOnce(int descriptor, short events, TimePoint deadline, int other = -1);
