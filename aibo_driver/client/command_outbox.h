@@ -49,9 +49,6 @@ class LatestById {
  public:
   bool empty() const { return items_.empty(); }
 
-  /// The items, the oldest first.
-  const std::vector<Item>& items() const { return items_; }
-
   void add(const std::vector<Item>& newer) {
     for (const Item& item : newer) {
       const auto older =

@@ -37,9 +37,6 @@ class TransportChoice {
   /// Call this when the pictures have to come by TCP again, because UDP does not work.
   void giveUp(TimePoint now);
 
-  /// The port to which the robot sends pictures. It is 0 if they come by TCP.
-  int port() const { return port_; }
-
   bool isUdpWanted() const { return wanted_ != PictureTransport::kTcp; }
 
   /// True if the user wants UDP and nothing else.

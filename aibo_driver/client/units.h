@@ -6,8 +6,6 @@
 #include <cmath>
 #include <string>
 
-#include "aibo_client/telemetry.h"
-#include "protocol/units.h"
 #include "robot_model/robot_model.h"
 
 namespace aibo_client {
@@ -32,17 +30,6 @@ inline robot_model::SensorKind sensorKind(const std::string& design, int id) {
   const robot_model::RobotModel* model = robot_model::findRobotModel(design.c_str());
   const int index = model == nullptr ? robot_model::NO_SENSOR : robot_model::findSensorByIdentifier(*model, id);
   return index == robot_model::NO_SENSOR ? robot_model::SENSOR_DISTANCE : model->sensors[index].kind;
-}
-
-/// A sensor's value from a version 1 server. Such a server does not say which robot it runs on, so we assume an ERS-7.
-inline SensorReading makeVersion1Reading(int id, short value) {
-  return {id, protocol::sensorValueFromVersion1(sensorKind("ERS-7", id), value)};
-}
-
-/// A sensor's value from a version 2 server.
-/// @param design the robot's design
-inline SensorReading makeVersion2Reading(const std::string& design, int id, int value) {
-  return {id, protocol::sensorValueFromVersion2(sensorKind(design, id), value)};
 }
 
 }  // namespace aibo_client

@@ -338,7 +338,8 @@ void Version1Session::onValue(const protocol::ValueReply& reply) {
     telemetry.joints = {{reply.identifier, position}};
     measured_joints_.insert(reply.identifier);
   } else {
-    telemetry.sensors = {makeVersion1Reading(reply.identifier, reply.value)};
+    telemetry.sensors = {
+        {reply.identifier, protocol::sensorValueFromVersion1(sensorKind("ERS-7", reply.identifier), reply.value)}};
   }
   connection_.measurements.deliver(std::move(telemetry), "");
 }

@@ -4,6 +4,7 @@
 
 #include "client/units.h"
 #include "protocol/text.h"
+#include "protocol/units.h"
 
 namespace aibo_client {
 
@@ -110,7 +111,8 @@ Telemetry telemetryIn(const version2::Telemetry& measured, const std::string& de
     if (entry.group == version2::GROUP_JOINT) {
       telemetry.joints.push_back({entry.id, fromMicro(entry.value)});
     } else if (entry.group == version2::GROUP_SENSOR) {
-      telemetry.sensors.push_back(makeVersion2Reading(design, entry.id, entry.value));
+      const robot_model::SensorKind kind = sensorKind(design, entry.id);
+      telemetry.sensors.push_back({entry.id, protocol::sensorValueFromVersion2(kind, entry.value)});
     } else if (entry.group == version2::GROUP_DUTY) {
       setDuty(entry.id, fromMicro(entry.value), &telemetry.joints);
     } else {

@@ -153,7 +153,7 @@ Session::Bytes Version2Session::requestTransport(const Settings& wanted, TimePoi
     case TransportChoice::Step::kBegin:
       start_ = randomStart();
       datagrams_.begin(start_, now);
-      return requestDatagrams(transport_.port(), false, start_, now);
+      return requestDatagrams(wanted.datagram_port, false, start_, now);
     case TransportChoice::Step::kEnd:
       datagrams_.end();
       connection_.status.transport = PictureTransport::kTcp;
