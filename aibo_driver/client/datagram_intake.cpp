@@ -53,8 +53,8 @@ bool DatagramIntake::arrived(const std::uint8_t* data, std::size_t size, TimePoi
     spacing_ = spacing_ == TimePoint::duration::zero() ? spacing : spacing_ + (spacing - spacing_) / 16;
   }
   last_picture_ = datagram.picture;
-  last_datagram_ = now;
-  requests_.arrived(now);
+  last_datagram_ = last_exchange_ = now;
+  repeats_ = 0;
   if (!assembly_.add(datagram, data + version2::DATAGRAM_HEADER_SIZE, now)) {
     refuse("other parts of its picture describe the picture differently");
   }
@@ -77,13 +77,34 @@ void DatagramIntake::settle(std::int64_t number) {
   context_->counters.lost_pictures += assembly_.lost() - lost;
 }
 
-DatagramIntake::Bytes DatagramIntake::takeReply(TimePoint now) {
-  auto status = on_ ? requests_.next(assembly_, spacing_, now) : std::nullopt;
-  if (!status) {
+DatagramIntake::Bytes DatagramIntake::takeStatus(TimePoint now) {
+  const bool is_overdue = now >= nextLook();
+  Status status = assembly_.status(is_overdue);
+  if (!on_ || (!is_overdue && !isNew(status))) {
     return {};
   }
-  status->picture += start_.picture;
-  return encoded(*status);
+  repeats_ += is_overdue ? 1 : 0;
+  last_exchange_ = now;
+  told_ = status;
+  status.picture += start_.picture;
+  return encoded(status);
+}
+
+bool DatagramIntake::isNew(const Status& status) const {
+  // Only the first 64 parts of a picture have bits of their own.
+  const auto parts_in = [](const Status& each) {
+    return each.first_part < 64 ? std::uint64_t{each.missing} << each.first_part : each.missing;
+  };
+  return status.picture != told_.picture || (parts_in(status) & ~parts_in(told_)) != 0;
+}
+
+DatagramIntake::TimePoint DatagramIntake::nextLook() const {
+  if (!on_ || last_exchange_ == TimePoint() || repeats_ >= kMostRepeats) {
+    return TimePoint::max();
+  }
+  const bool is_due = assembly_.isIncomplete() && spacing_ != TimePoint::duration::zero();
+  const auto wait = is_due ? std::max<TimePoint::duration>(kShortest, kDatagrams * spacing_) : kPictureInterval;
+  return last_exchange_ + std::min<TimePoint::duration>(wait, kPictureInterval) * (1 << repeats_);
 }
 
 void DatagramIntake::refuse(const std::string& problem) {

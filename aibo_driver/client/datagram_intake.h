@@ -11,12 +11,12 @@
 
 #include "client/picture_assembly.h"
 #include "client/picture_intake.h"
-#include "client/repeat_requests.h"
+#include "protocol/picture_datagram.h"
 
 namespace aibo_client {
 
-/// Receives the pictures of one connection that come by UDP. It also notices when they should come by TCP instead. It
-/// does no I/O and reads no clock.
+/// Receives the pictures of one connection that come by UDP, and tells the robot which are complete and which parts are
+/// missing. It also notices when pictures should come by TCP instead. It does no I/O and reads no clock.
 class DatagramIntake {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
@@ -48,6 +48,16 @@ class DatagramIntake {
   /// Likewise, the number of a datagram cannot be further ahead of the last one. A picture has at most 98 datagrams.
   static constexpr std::int64_t kMostDatagramsAhead = 65536;
 
+  /// A new status is sent at once. If nothing comes after it, datagrams or the status were lost. Then the status is
+  /// repeated this often, at growing intervals.
+  static constexpr int kMostRepeats = 4;
+  /// If no part is missing, the next datagram belongs to the next picture. A camera needs up to 40 ms for it.
+  static constexpr std::chrono::milliseconds kPictureInterval{50};
+  /// If a part is missing, the next datagram is due after the time for kDatagrams, but not before kShortest. The radio
+  /// itself takes a few milliseconds to repeat what it has lost.
+  static constexpr int kDatagrams = 3;
+  static constexpr std::chrono::milliseconds kShortest{8};
+
   explicit DatagramIntake(const ConnectionContext& context) : context_(&context) {}
 
   /// Call this when the robot is asked to send the stream's pictures as datagrams that count from this start.
@@ -78,12 +88,12 @@ class DatagramIntake {
   /// @param number PictureAssembly::Begun::number
   void goodPicture(std::int64_t number, TimePoint now);
 
-  /// What to send back to the robot now: which pictures have come, and what is missing.
-  /// @return a datagram; empty if there is nothing to say
-  Bytes takeReply(TimePoint now);
+  /// The status to send to the robot now.
+  /// @return a datagram; empty if there is nothing new to say
+  Bytes takeStatus(TimePoint now);
 
-  /// The latest time to call takeReply() again.
-  TimePoint nextLook() const { return on_ ? requests_.deadline(assembly_, spacing_) : TimePoint::max(); }
+  /// The latest time to call takeStatus() again.
+  TimePoint nextLook() const;
 
   /// The latest time to look at problem() again.
   /// @param extra_interval see PictureIntake::extraInterval()
@@ -97,7 +107,10 @@ class DatagramIntake {
   bool wereUsed() const { return used_; }
 
  private:
+  using Status = protocol::version2::DatagramStatus;
+
   bool isPossible(const protocol::version2::PictureDatagram& datagram) const;
+  bool isNew(const Status& status) const;
   void settle(std::int64_t number);
   void refuse(const std::string& problem);
 
@@ -108,11 +121,13 @@ class DatagramIntake {
   bool warned_ = false;
   TimePoint last_datagram_;  // when the last datagram came
   TimePoint good_picture_;   // when the last good picture came, or since when one is due
-  std::optional<TimePoint>
-      tcp_worked_;                  // when something first came by TCP while good pictures were missing for kMissing
+  /// When something first came by TCP while good pictures were missing for kMissing.
+  std::optional<TimePoint> tcp_worked_;
   TimePoint::duration spacing_{0};  // the mean time between two datagrams of a picture; 0 until it is known
   std::int64_t last_picture_ = -1;  // the picture of the last datagram
-  RepeatRequests requests_;
+  TimePoint last_exchange_;         // when a datagram last came or a status was sent
+  int repeats_ = 0;                 // of the last status
+  Status told_ = {};                // the last status
   std::int64_t next_sequence_ = 0;  // the number of the next datagram if none is lost
   PictureAssembly assembly_;
 };

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "client/fault.h"
-#include "client/units.h"
 #include "client/version2_messages.h"
 #include "protocol/big_endian.h"
 #include "protocol/color_requests.h"

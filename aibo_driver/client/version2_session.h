@@ -40,7 +40,7 @@ class Version2Session final : public Session {
   Bytes nextRequest(const Settings& wanted, TimePoint now) override;
   void bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) override;
   bool datagramArrived(const std::uint8_t* data, std::size_t size, TimePoint now) override;
-  Bytes takeReply(TimePoint now) override { return datagrams_.takeReply(now); }
+  Bytes takeReply(TimePoint now) override { return datagrams_.takeStatus(now); }
   void checkDeadlines(TimePoint now) override;
   TimePoint nextDeadline() const override;
 

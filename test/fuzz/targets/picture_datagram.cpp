@@ -54,7 +54,7 @@ class Receiver {
   }
 
   void replies() {
-    intake_.takeReply(now_);
+    intake_.takeStatus(now_);
     require(intake_.nextLook() > now_, "it need not be looked at again at once");
   }
 
