@@ -7,6 +7,7 @@
 #include "client/units.h"
 #include "protocol/units.h"
 #include "protocol/version2.h"
+#include "robot_model/robot_model.h"
 
 namespace aibo_client {
 namespace {
@@ -58,13 +59,28 @@ Version1Session::Version1Session(Connection& connection, ServerHabits& habits, V
     : connection_(connection),
       habits_(habits),
       is_version_answer_pending_(answer == VersionAnswer::kNone),
-      poll_(connected),
+      poll_due_(connected),
       ready_(answer == VersionAnswer::kVersion1) {
-  for (const auto& unanswered : habits_.unanswered_polls) {
-    if (unanswered.second >= ServerHabits::kUnansweredPollsLimit) {
-      poll_.dropIf([&](const ValuePoll::Value& value) { return value.request == unanswered.first; });
+  // The joints and sensors of an ERS-7, in turn. The joints of the ERS-210 have the same identifiers.
+  const robot_model::RobotModel& model = *robot_model::findRobotModel("ERS-7");
+  for (int i = 0; i < std::max(model.number_of_joints, model.number_of_sensors); ++i) {
+    if (i < model.number_of_joints) {
+      polled_.push_back({protocol::REQUEST_JOINT, model.joints[i].identifier});
+    }
+    if (i < model.number_of_sensors) {
+      polled_.push_back({protocol::REQUEST_SENSOR, model.sensors[i].identifier});
     }
   }
+  for (const auto& [letter, unanswered] : habits_.unanswered_polls) {
+    if (unanswered >= ServerHabits::kUnansweredPollsLimit) {
+      dropPolled([letter = letter](const PolledValue& value) { return value.letter == letter; });
+    }
+  }
+}
+
+template <typename Condition>
+void Version1Session::dropPolled(const Condition& condition) {
+  polled_.erase(std::remove_if(polled_.begin(), polled_.end(), condition), polled_.end());
 }
 
 // While a picture is pending, a toggle would have to wait for the picture anyway. A second `F` would make it unclear
@@ -108,10 +124,6 @@ bool Version1Session::mayRequestPicture(TimePoint now) const {
   return !connection_.pictures.streaming() && parser_.betweenReplies() && now >= connection_.pictures.drainedAt();
 }
 
-bool Version1Session::mayPoll() const {
-  return poll_wanted_ && !poll_.empty();
-}
-
 Session::Bytes Version1Session::requestPicture(const Settings& wanted, Call* call, TimePoint now) {
   call->request_number = kPendingNumber;
   call->quality = call->quality == 0 ? wanted.jpeg_quality : call->quality;
@@ -128,10 +140,12 @@ Session::Bytes Version1Session::requestCall(Call* call, TimePoint now) {
 
 Session::Bytes Version1Session::nextValueRequest(TimePoint now) {
   const bool has_commands = !connection_.commands.isEmptyForVersion1();
-  if (mayPoll() && now >= poll_.dueAt() + (has_commands ? ValuePoll::kLongestWait : std::chrono::milliseconds(0))) {
-    const ValuePoll::Value value = poll_.take(now);
-    pending_value_ = ValueRequest{value.request, value.id, false, now};
-    return version1Command(value.request, value.id);
+  if (mayPoll() && now >= poll_due_ + (has_commands ? kLongestPollWait : std::chrono::milliseconds(0))) {
+    poll_due_ = now + kPollPeriod;
+    const PolledValue value = polled_.front();
+    std::rotate(polled_.begin(), polled_.begin() + 1, polled_.end());
+    pending_value_ = ValueRequest{value.letter, value.id, false, now};
+    return version1Command(value.letter, value.id);
   }
   return has_commands ? nextCommand(now) : Bytes();
 }
@@ -277,7 +291,7 @@ void Version1Session::onValueRefused(int code) {
       connection_.refused("to move joint " + std::to_string(request.id) + ": " + kJointFault);
       return;
     }
-    poll_.dropIf([&](const auto& value) { return value.request == request.letter && value.id == request.id; });
+    dropPolled([&](const PolledValue& value) { return value.letter == request.letter && value.id == request.id; });
   }
   const std::optional<RefusedRequest> kind = refusedRequest(request.letter);
   if (!request.set || !kind) {
@@ -404,7 +418,7 @@ Session::TimePoint Version1Session::nextDeadline() const {
     next = std::min(next, pictures.drainedAt());
   }
   if (ready_ && mayPoll() && free) {
-    next = std::min(next, poll_.dueAt());
+    next = std::min(next, poll_due_);
   }
   return next;
 }
