@@ -1,4 +1,5 @@
-/// Integers of version 2: most significant byte first, signed ones in two's complement, on any machine.
+/// Integers of version 2, and a picture's size in version 1: most significant byte first, signed ones in two's
+/// complement, on any machine.
 #ifndef AIBO_RCSERVER_PROTOCOL_BIG_ENDIAN_H
 #define AIBO_RCSERVER_PROTOCOL_BIG_ENDIAN_H
 

@@ -2,16 +2,10 @@
 
 #include <string.h>
 
+#include <algorithm>
+
 namespace protocol {
 namespace version2 {
-
-namespace {
-
-size_t smaller(size_t a, size_t b) {
-  return a < b ? a : b;
-}
-
-}  // namespace
 
 FrameReader::FrameReader(unsigned char* buffer, size_t capacity) : buffer_(buffer), capacity_(capacity) {
   reset();
@@ -44,7 +38,7 @@ size_t FrameReader::appendHeader(const unsigned char* bytes, size_t size) {
   if (hasHeader() || size == 0) {
     return 0;
   }
-  const size_t taken = smaller(size, FRAME_HEADER_SIZE - header_bytes_size_);
+  const size_t taken = std::min(size, FRAME_HEADER_SIZE - header_bytes_size_);
   memcpy(header_bytes_ + header_bytes_size_, bytes, taken);
   header_bytes_size_ += taken;
   if (hasHeader()) {
@@ -57,7 +51,7 @@ size_t FrameReader::appendPayload(const unsigned char* bytes, size_t size) {
   if (!hasHeader()) {
     return 0;
   }
-  const size_t taken = smaller(size, header_.payload_size - payload_size_);
+  const size_t taken = std::min(size, header_.payload_size - payload_size_);
   if (taken > 0) {
     memcpy(buffer_ + payload_size_, bytes, taken);
   }

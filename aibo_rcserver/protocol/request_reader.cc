@@ -2,13 +2,11 @@
 
 #include <string.h>
 
+#include <algorithm>
+
 namespace protocol {
 
 namespace {
-
-size_t smaller(size_t a, size_t b) {
-  return a < b ? a : b;
-}
 
 bool hasTwoSizes(char letter) {
   return letter == REQUEST_JOINT || letter == REQUEST_SENSOR || letter == REQUEST_MAX_VELOCITY ||
@@ -54,7 +52,7 @@ bool RequestReader::isLetter(char letter) {
 }
 
 size_t RequestReader::append(const unsigned char* bytes, size_t size) {
-  const size_t taken = smaller(size, sizeof(waiting_) - waiting_size_);
+  const size_t taken = std::min(size, sizeof(waiting_) - waiting_size_);
   memcpy(waiting_ + waiting_size_, bytes, taken);
   waiting_size_ += taken;
   return taken;
@@ -79,7 +77,7 @@ bool RequestReader::next(Request* request) {
 }
 
 size_t RequestReader::takeContent(unsigned char* out, size_t capacity) {
-  const size_t taken = smaller(capacity, smaller(content_left_, waiting_size_));
+  const size_t taken = std::min(capacity, std::min(content_left_, waiting_size_));
   memcpy(out, waiting_, taken);
   content_left_ -= taken;
   take(taken);
@@ -92,7 +90,7 @@ void RequestReader::take(size_t size) {
 }
 
 void RequestReader::skipContent() {
-  const size_t skipped = smaller(content_left_, waiting_size_);
+  const size_t skipped = std::min(content_left_, waiting_size_);
   content_left_ -= skipped;
   take(skipped);
 }

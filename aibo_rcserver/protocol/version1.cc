@@ -3,6 +3,8 @@
 #include <limits.h>
 #include <string.h>
 
+#include "protocol/big_endian.h"
+
 namespace protocol {
 
 namespace {
@@ -35,15 +37,11 @@ BasicGetCommand decodeCommand(const unsigned char* in) {
 
 void encodePictureHeader(size_t size, unsigned char* out) {
   out[0] = static_cast<unsigned char>(REPLY_PICTURE);
-  out[1] = static_cast<unsigned char>((size >> 24) & 0xff);
-  out[2] = static_cast<unsigned char>((size >> 16) & 0xff);
-  out[3] = static_cast<unsigned char>((size >> 8) & 0xff);
-  out[4] = static_cast<unsigned char>(size & 0xff);
+  encodeBigEndian32(static_cast<unsigned>(size), out + 1);
 }
 
 bool decodePictureHeader(const unsigned char* in, size_t* size) {
-  *size = (static_cast<size_t>(in[1]) << 24) | (static_cast<size_t>(in[2]) << 16) | (static_cast<size_t>(in[3]) << 8) |
-          static_cast<size_t>(in[4]);
+  *size = decodeBigEndian32(in + 1);
   return in[0] == static_cast<unsigned char>(REPLY_PICTURE) && *size > 0 && *size <= MAX_PICTURE_SIZE;
 }
 
