@@ -3,7 +3,6 @@
 #include <EndpointTypes.h>
 #include <entry.h>
 #include <stdio.h>
-#include <string.h>
 
 namespace {
 

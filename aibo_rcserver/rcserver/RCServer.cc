@@ -11,7 +11,6 @@
 #include "objects/HostSettings.h"
 #include "protocol/opening.h"
 #include "protocol/version1.h"
-#include "rcserver/settings/Settings.h"
 
 namespace {
 
