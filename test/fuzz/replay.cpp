@@ -1,11 +1,12 @@
 /// @file replay.cpp
 /// Runs a fuzz target on the files or folders given. Linked with a target instead of libFuzzer.
 
-#include <exception>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <vector>
 
 #include "fuzz_input.h"
 
@@ -13,39 +14,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-int replay(const fs::path& file) {
+void replay(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   const std::string content{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   // In memory of exactly this size, so that a sanitizer sees reads behind the end.
   const Bytes input(content.begin(), content.end());
   std::cout << file.string() << std::endl;  // flushed: the last one printed is the one that failed
-  return LLVMFuzzerTestOneInput(input.data(), input.size());
-}
-
-int replayAll(const fs::path& path) {
-  if (!fs::is_directory(path)) {
-    replay(path);
-    return 1;
-  }
-  int count = 0;
-  for (const fs::directory_entry& entry : fs::directory_iterator(path)) {
-    count += replayAll(entry.path());
-  }
-  return count;
+  LLVMFuzzerTestOneInput(input.data(), input.size());
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    int count = 0;
-    for (int i = 1; i < argc; ++i) {
-      count += replayAll(argv[i]);
+  int count = 0;
+  for (int i = 1; i < argc; ++i) {
+    std::vector<fs::path> files = {argv[i]};
+    if (fs::is_directory(argv[i])) {
+      files.assign(fs::directory_iterator(argv[i]), fs::directory_iterator());
     }
-    std::cout << count << " inputs\n";
-    return count > 0 ? 0 : 1;
-  } catch (const std::exception& error) {
-    std::cerr << "replay: " << error.what() << '\n';
-    return 1;
+    std::for_each(files.begin(), files.end(), replay);
+    count += static_cast<int>(files.size());
   }
+  std::cout << count << " inputs\n";
+  return count > 0 ? 0 : 1;
 }
