@@ -61,19 +61,14 @@ class FakeDriver {
   FakeDriver(const FakeDriver&) = delete;
   FakeDriver& operator=(const FakeDriver&) = delete;
 
+  /// @param node empty: nobody stops it
   void stop(const std::string& node) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    state_now_.stopped = 1;
+    state_now_.stopped = node.empty() ? 0 : 1;
     state_now_.stopped_by = node;
     state_.publish(state_now_);
   }
-
-  void release() {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    state_now_.stopped = 0;
-    state_now_.stopped_by.clear();
-    state_.publish(state_now_);
-  }
+  void release() { stop(""); }
 
   /// Of a slow driver, once: it does not answer until it is told to.
   bool waitForCallOfRelease() {
