@@ -3,7 +3,6 @@
 #include <aibo_driver/PlayMotion.h>
 #include <aibo_driver/TakePicture.h>
 #include <gmock/gmock.h>
-#include <pty.h>
 #include <sensor_msgs/JointState.h>
 #include <sensor_msgs/Joy.h>
 #include <std_msgs/String.h>
@@ -11,6 +10,7 @@
 
 #include <csignal>
 
+#include "support/pseudo_terminal.h"
 #include "support/ros/driver_user.h"
 #include "support/ros/fake_driver.h"
 
@@ -32,32 +32,25 @@ bool goes(const Twist& twist) {
 class KeyboardTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (::openpty(&keys_, &terminal_, name_, nullptr, nullptr) != 0) {
+    if (!terminal_.exists()) {
       GTEST_SKIP() << "this system gives no pseudo terminal: is /dev/pts mounted?";
     }
   }
 
-  ~KeyboardTest() override {
-    ::close(keys_);
-    ::close(terminal_);
-  }
-
   std::vector<std::string> command(const std::string& arguments) const {
-    return {"/bin/sh", "-c", std::string("exec ") + AIBO_TELEOP_KEYBOARD + " " + arguments + " < " + name_};
+    return {"/bin/sh", "-c", std::string("exec ") + AIBO_TELEOP_KEYBOARD + " " + arguments + " < " + terminal_.name()};
   }
 
-  void type(char key) const { EXPECT_EQ(::write(keys_, &key, 1), 1); }
+  void type(char key) const { terminal_.type({key}); }
 
   bool showsKeys() const {
     termios settings{};
-    EXPECT_EQ(::tcgetattr(terminal_, &settings), 0);
+    EXPECT_EQ(::tcgetattr(terminal_.descriptor(), &settings), 0);
     return (settings.c_lflag & ECHO) != 0;
   }
 
  private:
-  int keys_ = -1;
-  int terminal_ = -1;
-  char name_[64] = {};
+  test_support::PseudoTerminal terminal_;
 };
 
 TEST_F(KeyboardTest, WalksWhileAKeyIsHeldDownAndThenStops) {

@@ -2,12 +2,10 @@
 
 #include <aibo_driver/RobotState.h>
 #include <gmock/gmock.h>
-#include <pty.h>
 #include <ros/network.h>
 #include <ros/ros.h>
 #include <sensor_msgs/JointState.h>
 #include <std_srvs/Trigger.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -23,6 +21,7 @@
 #include "node/stop_client.h"
 #include "node/xmlrpc_peer.h"
 #include "support/process.h"
+#include "support/pseudo_terminal.h"
 #include "support/resources.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/topics.h"
@@ -39,6 +38,7 @@ using test_support::DriverProcess;
 using test_support::eventually;
 using test_support::kSafetyNet;
 using test_support::Process;
+using test_support::PseudoTerminal;
 using test_support::Resources;
 using test_support::SimulatedRobot;
 using test_support::TopicListener;
@@ -47,32 +47,9 @@ using ::testing::HasSubstr;
 // The robot's connection must not end because this computer is slow: without descriptors there is no new one.
 constexpr const char* kKeepsRobot = "_read_timeout:=60";
 
-/// Keys for a program that reads them from a terminal.
-class Keys {
- public:
-  Keys() { can_type_ = ::openpty(&keys_, &terminal_, name_, nullptr, nullptr) == 0; }
-  ~Keys() {
-    ::close(keys_);
-    ::close(terminal_);
-  }
-
-  Keys(const Keys&) = delete;
-  Keys& operator=(const Keys&) = delete;
-
-  bool canType() const { return can_type_; }
-  std::string terminal() const { return name_; }
-  void type(char key) const { EXPECT_EQ(::write(keys_, &key, 1), 1); }
-
- private:
-  bool can_type_ = false;
-  int keys_ = -1;
-  int terminal_ = -1;
-  char name_[64] = {};
-};
-
 TEST(Stop, NeedsNoMaster) {
-  const Keys keys;
-  if (!keys.canType()) {
+  const PseudoTerminal keys;
+  if (!keys.exists()) {
     GTEST_SKIP() << "this system gives no pseudo terminal: is /dev/pts mounted?";
   }
   const std::string port = std::to_string(test_support::portOf(test_support::bindTo("127.0.0.1", 0)));
@@ -88,19 +65,19 @@ TEST(Stop, NeedsNoMaster) {
   // In a new build folder, catkin's environment for tests lacks the path of our messages.
   Process state({"/bin/sh", "-c", "PYTHONPATH=" PYTHON_MESSAGES ":$PYTHONPATH exec rostopic echo /alone/robot_state"},
                 environment);
-  Process keyboard({"/bin/sh", "-c",
-                    std::string("exec ") + AIBO_TELEOP_KEYBOARD + " __ns:=/alone _key_timeout:=0 < " + keys.terminal()},
-                   environment);
+  Process keyboard(
+      {"/bin/sh", "-c", std::string("exec ") + AIBO_TELEOP_KEYBOARD + " __ns:=/alone _key_timeout:=0 < " + keys.name()},
+      environment);
   keyboard.waitForOutput("speeds: ", kSafetyNet);
   // The first keys may come before anybody listens. A robot that turns on the spot meets nothing meanwhile.
   EXPECT_TRUE(eventually([&] {
-    keys.type('j');
+    keys.type("j");
     return state.output().find("posture: 4") != std::string::npos;
   })) << "it does not walk";
 
   const auto stops = [&] {
     const std::size_t before = keyboard.output().size();
-    keys.type('S');
+    keys.type("S");
     return eventually(
         [&] { return keyboard.output().find("/alone/stop: The robot holds", before) != std::string::npos; });
   };
