@@ -20,7 +20,6 @@
 #include <vector>
 
 #include "host_files/file_descriptor.h"
-#include "support/proxy/fault.h"
 #include "support/proxy/scanners.h"
 #include "support/sockets.h"
 #include "support/test_pictures.h"

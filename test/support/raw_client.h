@@ -13,33 +13,21 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "protocol/version1.h"
 #include "protocol/version2.h"
-#include "support/proxy/fault.h"
 #include "support/sockets.h"
 
 namespace test_support {
 
-/// What it does not read stays in the kernel.
-class RawClient {
+/// One end of a connection. What is not read stays in the kernel.
+class RawConnection {
  public:
   using milliseconds = std::chrono::milliseconds;
 
-  /// @param buffer_size bytes that the kernel may hold for it in each direction; 0 = the kernel's default
-  /// @param from this client's own address; Linux has all of 127.0.0.0/8
-  /// @throw std::system_error if the server refuses
-  explicit RawClient(int port, int buffer_size = kSmallBuffer, const std::string& from = "")
-      : socket_(beginConnecting("127.0.0.1", port, buffer_size, from)) {
-    pollfd polled = {socket_.get(), POLLOUT, 0};
-    ::poll(&polled, 1, 5000);
-    errno = error();
-    check(errno == 0 || errno == ECONNRESET, "connect");  // a reset may already have come
-  }
-
-  /// This client's own port.
-  int port() const { return portOf(socket_); }
+  explicit RawConnection(host_files::FileDescriptor socket) : socket_(std::move(socket)) {}
 
   /// Sends as much as the kernel takes now.
   /// @return bytes sent; below 0 if the connection has ended
@@ -77,7 +65,7 @@ class RawClient {
 
   void close() { socket_.close(); }
 
-  /// Closes so that the server sees a reset.
+  /// Closes so that the other end sees a reset.
   void reset() {
     resetWhenClosed(socket_);
     close();
@@ -93,6 +81,23 @@ class RawClient {
   }
 
   host_files::FileDescriptor socket_;
+};
+
+class RawClient : public RawConnection {
+ public:
+  /// @param buffer_size bytes that the kernel may hold for it in each direction; 0 = the kernel's default
+  /// @param from this client's own address; Linux has all of 127.0.0.0/8
+  /// @throw std::system_error if the server refuses
+  explicit RawClient(int port, int buffer_size = kSmallBuffer, const std::string& from = "")
+      : RawConnection(beginConnecting("127.0.0.1", port, buffer_size, from)) {
+    pollfd polled = {socket_.get(), POLLOUT, 0};
+    ::poll(&polled, 1, 5000);
+    errno = error();
+    check(errno == 0 || errno == ECONNRESET, "connect");  // a reset may already have come
+  }
+
+  /// This client's own port.
+  int port() const { return portOf(socket_); }
 };
 
 /// What a server sent in version 1: a picture or a reply of four bytes.

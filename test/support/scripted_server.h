@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
-#include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -17,6 +17,7 @@
 
 #include "host_files/file_descriptor.h"
 #include "protocol/version1.h"
+#include "support/raw_client.h"
 #include "support/safety_net.h"
 #include "support/sockets.h"
 #include "support/test_pictures.h"
@@ -32,11 +33,9 @@ inline bool isReadableWithin(int descriptor, std::chrono::milliseconds time) {
 }
 
 /// The server's end of one connection. Calls that wait throw std::runtime_error after a generous timeout.
-class ScriptedPeer {
+class ScriptedPeer : public RawConnection {
  public:
-  using Bytes = std::vector<std::uint8_t>;
-
-  explicit ScriptedPeer(host_files::FileDescriptor socket) : socket_(std::move(socket)) {}
+  using RawConnection::RawConnection;
 
   /// Waits for the client's next command.
   protocol::BasicGetCommand readCommand() { return protocol::decodeCommand(read(protocol::BASIC_COMMAND_SIZE).data()); }
@@ -85,17 +84,9 @@ class ScriptedPeer {
 
   /// Waits for this many bytes.
   Bytes read(std::size_t size) {
-    Bytes bytes;
-    while (bytes.size() < size) {
-      if (!isReadableWithin(socket_.get(), kSafetyNet)) {
-        throw std::runtime_error("the client has sent nothing");
-      }
-      Bytes part(size - bytes.size());
-      const ssize_t count = ::recv(socket_.get(), part.data(), part.size(), 0);
-      if (count <= 0) {
-        throw std::runtime_error("the client has closed the connection");
-      }
-      bytes.insert(bytes.end(), part.begin(), part.begin() + count);
+    const Bytes bytes = RawConnection::read(size, kSafetyNet);
+    if (bytes.size() < size) {
+      throw std::runtime_error("the client has sent nothing, or has closed the connection");
     }
     return bytes;
   }
@@ -114,27 +105,17 @@ class ScriptedPeer {
   /// Sends header and picture at once.
   void sendPicture(const Bytes& jpeg) { send(test_pictures::makeReply(jpeg)); }
 
-  /// Closes the connection (FIN).
-  void close() { socket_.close(); }
-
-  /// Resets the connection (RST).
-  void reset() {
-    resetWhenClosed(socket_);
-    socket_.close();
-  }
-
   /// Waits until the client has closed the connection, and discards what it sends until then.
   void waitUntilClosed() {
-    char ignored[256];
-    do {
-      if (!isReadableWithin(socket_.get(), kSafetyNet)) {
-        throw std::runtime_error("the client has not closed the connection");
-      }
-    } while (::recv(socket_.get(), ignored, sizeof ignored, 0) > 0);
+    std::optional<Bytes> part;
+    while ((part = receive(kSafetyNet)) && !part->empty()) {
+    }
+    if (!part) {
+      throw std::runtime_error("the client has not closed the connection");
+    }
   }
 
  private:
-  host_files::FileDescriptor socket_;
   std::string camera_;
 };
 

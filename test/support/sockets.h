@@ -23,6 +23,9 @@
 
 namespace test_support {
 
+using Bytes = std::vector<std::uint8_t>;
+using TimePoint = std::chrono::steady_clock::time_point;
+
 /// Bytes. So small that few pictures grow stale in the test apparatus itself.
 constexpr int kSmallBuffer = 16 * 1024;
 

@@ -11,6 +11,7 @@
 #include "support/raw_client.h"
 #include "support/resources.h"
 #include "support/simulated_robot.h"
+#include "support/version2_frames.h"
 
 namespace fault_bench {
 namespace {
@@ -22,14 +23,12 @@ const std::string kVersion2 = {'X', 2};
 
 // A frame's header for version 2.
 std::string header(char kind, unsigned size) {
-  return {kind,
-          0,
-          0,
-          1,
-          static_cast<char>(size >> 24U),
-          static_cast<char>(size >> 16U),
-          static_cast<char>(size >> 8U),
-          static_cast<char>(size)};
+  protocol::version2::FrameHeader fields = {};
+  fields.kind = kind;
+  fields.request_number = 1;
+  fields.payload_size = size;
+  const Bytes bytes = version2_frames::encoded(fields);
+  return {bytes.begin(), bytes.end()};
 }
 
 std::string anyBytes(Random& random, int most) {

@@ -19,7 +19,6 @@
 #include <vector>
 
 #include "host_files/file_descriptor.h"
-#include "support/proxy/fault.h"
 #include "support/proxy/link.h"
 #include "support/sockets.h"
 #include "system/event.h"

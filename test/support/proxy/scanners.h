@@ -14,7 +14,7 @@
 #include "protocol/frame_reader.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
-#include "support/proxy/fault.h"
+#include "support/sockets.h"
 
 namespace test_support {
 

@@ -2,7 +2,8 @@
 #ifndef TEST_UNIT_CLIENT_DATAGRAMS_FIXTURE_H
 #define TEST_UNIT_CLIENT_DATAGRAMS_FIXTURE_H
 
-#include "support/picture_datagrams.h"
+#include "protocol/picture_datagram.h"
+#include "support/test_pictures.h"
 #include "version2_fixture.h"
 
 constexpr int kPort = 40000;
@@ -15,6 +16,28 @@ inline test_pictures::Bytes makeJpeg(unsigned seed) {
   kind.height = 144;
   kind.quality = 94;
   return test_pictures::make(kind);
+}
+
+/// The datagrams of a picture, as a robot sends them.
+/// @param picture its number
+/// @param[in,out] sequence the number of its first datagram; afterwards that of the next picture's
+inline std::vector<test_pictures::Bytes> makeDatagrams(const test_pictures::Bytes& jpeg, unsigned picture,
+                                                       unsigned frame_number, unsigned* sequence) {
+  using namespace protocol::version2;
+  std::vector<test_pictures::Bytes> datagrams;
+  PictureDatagram header = {};
+  header.picture = picture;
+  header.jpeg_size = static_cast<unsigned>(jpeg.size());
+  header.image = {picture + 12345, frame_number, 208, 160, 85, LAYER_HIGH, {}};
+  for (std::size_t part = 0; part < numberOfParts(jpeg.size()); ++part) {
+    const auto begin = jpeg.begin() + static_cast<std::ptrdiff_t>(part * DATAGRAM_PART_SIZE);
+    header.sequence = (*sequence)++;
+    header.part = static_cast<unsigned short>(part);
+    test_pictures::Bytes& datagram = datagrams.emplace_back(DATAGRAM_HEADER_SIZE);
+    encode(header, datagram.data());
+    datagram.insert(datagram.end(), begin, begin + static_cast<std::ptrdiff_t>(sizeOfPart(jpeg.size(), part)));
+  }
+  return datagrams;
 }
 
 /// A robot that sends its pictures as datagrams.
@@ -88,7 +111,7 @@ class DatagramsFixture : public Version2SessionFixture {
   std::vector<Bytes> nextPicture() {
     ++picture_;
     jpegs_.push_back(makeJpeg(picture_));
-    return test_support::makeDatagrams(jpegs_.back(), numberOf(picture_), frameOf(picture_), &sequence_);
+    return makeDatagrams(jpegs_.back(), numberOf(picture_), frameOf(picture_), &sequence_);
   }
 
   /// The robot's number of the picture that is `picture` here.

@@ -115,9 +115,9 @@ TEST_F(DatagramOrderTest, ThatIsRefusedMeansTcp) {
 
 // Anybody can forge a datagram.
 TEST_F(DatagramsTest, APictureByUdpDoesNotTellUntilWhenOrdersAreGood) {
-  arrive(test_support::makeDatagrams(makeJpeg(1), numberOf(1), kFrame + 12, &sequence_));
+  arrive(makeDatagrams(makeJpeg(1), numberOf(1), kFrame + 12, &sequence_));
   ASSERT_EQ(1u, pictures_.size()) << "96 ms ahead may be true";
-  arrive(test_support::makeDatagrams(makeJpeg(2), numberOf(2), kFrame + 1000000, &sequence_));
+  arrive(makeDatagrams(makeJpeg(2), numberOf(2), kFrame + 1000000, &sequence_));
   commandJoints({{2, 0.1}});
   EXPECT_EQ('J', request());
   EXPECT_EQ(kFrame + 62, protocol::decodeBigEndian32(payload_.data()));
@@ -174,8 +174,8 @@ TEST_F(DatagramsTest, ForgedOnesDoNotStopTheStream) {
   live(std::chrono::seconds(5), [this] {
     for (const unsigned picture : {60000U, 60001U, picture_ + 40, picture_ + 65, 100U}) {
       unsigned sequence = order_.first_sequence + picture;
-      arrive(test_support::makeDatagrams(Bytes(100, 'x'), numberOf(picture), kFrame, &sequence));
-      std::vector<Bytes> incomplete = test_support::makeDatagrams(makeJpeg(7), numberOf(picture), kFrame, &sequence);
+      arrive(makeDatagrams(Bytes(100, 'x'), numberOf(picture), kFrame, &sequence));
+      std::vector<Bytes> incomplete = makeDatagrams(makeJpeg(7), numberOf(picture), kFrame, &sequence);
       incomplete.pop_back();
       arrive(incomplete);
     }
@@ -188,7 +188,7 @@ TEST_F(DatagramsTest, ForgedOnesDoNotStopTheStream) {
 TEST_F(DatagramsTest, AFrameNumberOfTheFutureIsNotBelieved) {
   arrive(nextPicture());
   unsigned sequence = sequence_;
-  arrive(test_support::makeDatagrams(makeJpeg(1), numberOf(picture_ + 1), kFrame + 200, &sequence));
+  arrive(makeDatagrams(makeJpeg(1), numberOf(picture_ + 1), kFrame + 200, &sequence));
   EXPECT_THAT(delivered(), ElementsAre(1));
   arrive(nextPicture());
   EXPECT_THAT(delivered(), ElementsAre(1, 2));
@@ -197,14 +197,14 @@ TEST_F(DatagramsTest, AFrameNumberOfTheFutureIsNotBelieved) {
 TEST_F(DatagramsTest, AForgedGoodPictureThatIsFarAheadBringsTheReturnToTcpAtWorst) {
   arrive(nextPicture());
   unsigned sequence = order_.first_sequence + 200;
-  arrive(test_support::makeDatagrams(makeJpeg(1), numberOf(picture_ + 100), frameOf(picture_ + 1), &sequence));
+  arrive(makeDatagrams(makeJpeg(1), numberOf(picture_ + 100), frameOf(picture_ + 1), &sequence));
   live(milliseconds(1300), [this] { arrive(nextPicture()); });
   EXPECT_EQ(PictureTransport::kTcp, connection_.status.transport);
 }
 
 TEST_F(DatagramsTest, OnlyGoodPicturesPostponeTheReturnToTcp) {
   live(milliseconds(1300),
-       [this] { arrive(test_support::makeDatagrams(Bytes(100, 'x'), numberOf(++picture_), kFrame, &sequence_)); });
+       [this] { arrive(makeDatagrams(Bytes(100, 'x'), numberOf(++picture_), kFrame, &sequence_)); });
   EXPECT_THAT(connection_.status.transport_problem, testing::HasSubstr("datagrams come, but no good picture"));
   EXPECT_EQ(PictureTransport::kTcp, connection_.status.transport);
 }

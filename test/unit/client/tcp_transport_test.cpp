@@ -132,7 +132,7 @@ TEST(TcpTransportTest, BytesThatTheNetworkDoesNotTakeAtOnceAreSentWhileWaiting) 
   ScriptedPeer peer = server.accept();
   constexpr std::size_t kPart = 64 * 1024;  // as large as the largest request
   constexpr std::size_t kFarMoreThanTheKernelKeeps = 128 * kPart;
-  ScriptedPeer::Bytes request(kFarMoreThanTheKernelKeeps);
+  test_support::Bytes request(kFarMoreThanTheKernelKeeps);
   std::mt19937 random(1);
   std::generate(request.begin(), request.end(), [&random] { return static_cast<std::uint8_t>(random()); });
   // How much the network takes at once depends on the kernel: send until something stays. That is quick, because a
@@ -156,7 +156,7 @@ TEST(TcpTransportTest, APeerThatNeverReadsIsGivenUp) {
   TcpTransport transport;
   transport.connect("127.0.0.1", server.port(), soon());
   ScriptedPeer peer = server.accept();
-  const ScriptedPeer::Bytes request(512 * 1024);
+  const test_support::Bytes request(512 * 1024);
   EXPECT_EQ(FaultKind::kUnreachable, faultOf([&] {
               for (int i = 0; i < 200; ++i) {  // far more than the kernel keeps
                 transport.send(request.data(), request.size());

@@ -39,7 +39,7 @@ class TransportChoiceTest : public DatagramsFixture {
       if (!by_udp_) {
         receive(version2_frames::makeFrame('f', 0, version2_frames::makePicture(kJpeg, frameOf(picture_))));
       } else if (lets_through_) {
-        arrive(test_support::makeDatagrams(kJpeg, numberOf(picture_), frameOf(picture_), &sequence_));
+        arrive(makeDatagrams(kJpeg, numberOf(picture_), frameOf(picture_), &sequence_));
       }
       while (now_ < image && !HasFatalFailure()) {
         answerAll();
@@ -118,7 +118,7 @@ TEST_F(TransportChoiceTest, OnlyTheRobotsTestCounts) {
   beUntilTest();
   const Bytes good = testDatagram(payload_);
   std::vector<Bytes> forged = {Bytes(), Bytes(1372), Bytes(good.begin(), good.end() - 1),
-                               test_support::makeDatagrams(makeJpeg(1), 0, kFrame, &sequence_)[0]};
+                               makeDatagrams(makeJpeg(1), 0, kFrame, &sequence_)[0]};
   for (const std::size_t number : {7U, 11U}) {  // of the datagram, of the picture
     forged.push_back(good);
     forged.back()[number] ^= 1;
