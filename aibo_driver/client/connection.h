@@ -87,8 +87,7 @@ struct Connection {
   SoundIntake sound;
   PendingCalls calls;
   CommandOutbox commands;
-  ConnectionStatus status;              ///< what the session has found out is in it at once
-  RobotInfo robot;                      ///< the server's introduction of itself
+  ConnectionStatus status;              ///< published when the session is ready, and at its end
   std::string goes_off;                 ///< why the robot goes off, if it has said that it does
   MotorsAndPosture motors_and_posture;  ///< the last report of the robot
 

@@ -127,13 +127,8 @@ void ConnectionLoop::connectAndServe() {
   ++counters_.connections;
   connected_ = steady_clock::now();
   heard_ = false;
-  beginSession();
-  while (!session_->ready()) {
-    talk();
-    listen();
-  }
-  onReady();
-  for (;;) {
+  for (beginSession();;) {
+    report();
     talk();
     listen();
   }
@@ -242,11 +237,6 @@ void ConnectionLoop::listen() {
   if (const Session::Bytes reply = session_->takeReply(now); !reply.empty()) {
     transport_->datagrams().reply(reply.data(), reply.size());
   }
-  if (session_->ready()) {  // the robot may report this before its hello
-    update(&Shared::motors_and_posture, connection_->motors_and_posture, &Callbacks::on_motors_and_posture,
-           "on_motors_and_posture");
-  }
-  publish(connection_->status);
 }
 
 /// @return true if no datagram is left
@@ -271,6 +261,19 @@ bool ConnectionLoop::takeDatagrams() {
   return false;
 }
 
+// Publishes what the session has found out, once the robot has answered.
+void ConnectionLoop::report() {
+  if (!session_->ready()) {
+    return;
+  }
+  if (connection_->status.state != ConnectionState::kConnected) {
+    onReady();
+  }
+  update(&Shared::motors_and_posture, connection_->motors_and_posture, &Callbacks::on_motors_and_posture,
+         "on_motors_and_posture");
+  publish(connection_->status);
+}
+
 // The connection works, so earlier faults are over.
 void ConnectionLoop::onReady() {
   backoff_.reset();
@@ -280,11 +283,9 @@ void ConnectionLoop::onReady() {
   ConnectionStatus& status = connection_->status;
   status.state = ConnectionState::kConnected;
   status.protocol_version = session_->protocolVersion();
-  status.robot = connection_->robot;
   status.fault = FaultKind::kNone;
   status.reason.clear();
   status.advice.clear();
-  publish(status);
 }
 
 void ConnectionLoop::onFault(const Fault& cause) {

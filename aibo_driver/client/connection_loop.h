@@ -102,6 +102,7 @@ class ConnectionLoop {
   int datagramPort(const Settings& wanted);
   void listen();
   bool takeDatagrams();
+  void report();
   void onReady();
   void onFault(const Fault& cause);
   bool wasTurnedAway(const Fault& fault) const;

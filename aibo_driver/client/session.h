@@ -42,7 +42,7 @@ class Session {
 
   virtual int protocolVersion() const = 0;
 
-  /// True once the server has answered. From then on, requests can be made, and Connection::robot is known.
+  /// True once the server has answered. From then on, requests can be made.
   virtual bool ready() const = 0;
 
   /// The request to send now. It is empty if there is none. A request that was returned counts as sent. Whenever

@@ -481,7 +481,7 @@ void Version2Session::onHello(const Payload& payload) {
   version2::Hello hello;
   expectGood(version2::decodeHello(payload.data, payload.size, &hello), "hello");
   if (!ready_) {  // later hellos are only heartbeats
-    connection_.robot = robotIn(hello);
+    connection_.status.robot = robotIn(hello);
   }
   frames_.told(hello.frame_number, now_);
   ready_ = true;
@@ -555,9 +555,9 @@ void Version2Session::onRequestedPicture(int number, const Payload& payload) {
 void Version2Session::onTelemetry(const Payload& payload) {
   const auto measured = decoded<version2::Telemetry>(payload.data, payload.size, "telemetry");
   frames_.told(measured.frame_number, now_);
-  Telemetry telemetry = telemetryIn(measured, connection_.robot.design);
+  Telemetry telemetry = telemetryIn(measured, connection_.status.robot.design);
   telemetry.arrival = frame_began_;
-  connection_.measurements.deliver(std::move(telemetry), connection_.robot.design);
+  connection_.measurements.deliver(std::move(telemetry), connection_.status.robot.design);
 }
 
 // Until the robot has answered, colours may still be those of the old tables, and would get the names of the new ones.

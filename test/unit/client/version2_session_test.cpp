@@ -29,7 +29,7 @@ struct NewSession : public Version2SessionTest {
 };
 
 TEST_F(Version2SessionTest, TheHelloIntroducesTheRobot) {
-  const RobotInfo& robot = connection_.robot;
+  const RobotInfo& robot = connection_.status.robot;
   EXPECT_EQ("ERS-7", robot.design);
   EXPECT_EQ("a test 1.0", robot.server);
   EXPECT_TRUE(robot.hasCapability("J"));
