@@ -28,7 +28,7 @@ class DatagramIntake {
     std::uint32_t picture = 0;
   };
 
-  /// After this time without a datagram, pictures that were begun before are too old to be repeated.
+  /// After this time without a datagram (our choice), pictures that were begun before are too old to be repeated.
   static constexpr std::chrono::milliseconds kOutage{200};
 
   /// If no good picture has come for this long, and in the time for kMostGivenUp pictures, although TCP works,

@@ -21,7 +21,7 @@ class TransportChoice {
   static constexpr std::chrono::milliseconds kFirstWait{50};
   /// The time until the next tests if none has come.
   static constexpr std::chrono::seconds kPause{10};
-  /// The time until the next tests if UDP was given up in use, so that the transport does not change all the time.
+  /// The time until the next tests if UDP was given up in use (our choice). The transport must not change all the time.
   static constexpr std::chrono::seconds kPauseAfterFailure{60};
 
   /// What to ask the robot for.
