@@ -160,8 +160,6 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       adapter_(client_, logForClient),
       link_quality_(handle_.advertise<LinkQuality>("link_quality", 1)),
       settings_(onQueueOf(handle_, private_handle), client_, adapter_, joint_table_),
-      color_tables_(model_, client_,
-                    [this](int channel, const aibo_client::ColorTablePtr& table) { colors_.setTable(channel, table); }),
       mover_(joint_table_, measured_joints_, client_, parameters_.approach_speed,
              [this] { return settings_.telemetryPeriod() > 0; }),
       stop_memory_(handle_),
@@ -190,7 +188,6 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
   walk_.subscribe(order_thread_.handle());
   goal_walks_.subscribe(order_thread_.handle());
   leds_and_ears_.subscribe(order_thread_.handle());
-  color_tables_.loadAtStart(parameters_.color_tables);
   advertiseServices();
   startActions();
   if (parameters_.get_up) {
@@ -216,7 +213,12 @@ AiboDriver::~AiboDriver() {
 void AiboDriver::advertiseServices() {
   const auto wished_quality = [this] { return adapter_.wishedQuality(); };
   advertise(handle_, streamServices(parameters_, client_, policy_));
-  advertise(handle_, color_tables_.services());
+  const auto set_table = [this](int channel, const aibo_client::ColorTablePtr& table) {
+    client_.setColorTable(channel, table);
+    colors_.setTable(channel, table);
+  };
+  loadColorTables(parameters_.color_tables, model_, set_table);
+  advertise(handle_, colorTableServices(model_, client_, set_table));
   advertise(stop_threads_.handle(), stopServices(mover_));
   advertise(motion_thread_.handle(), motionServices(mover_));
   advertise(pool_.handle(), postureServices(mover_));

@@ -31,7 +31,6 @@
 #include "node/callback_threads.h"
 #include "node/camera/camera_publisher.h"
 #include "node/camera/color_publisher.h"
-#include "node/camera/color_table_service.h"
 #include "node/camera/raw_image_publisher.h"
 #include "node/driver_diagnostics.h"
 #include "node/driver_parameters.h"
@@ -152,7 +151,6 @@ class AiboDriver {
   camera::StreamAdapter adapter_;
   ros::Publisher link_quality_;
   LiveSettings settings_;
-  ColorTableService color_tables_;
   text::ThrottledWarnings movement_warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
   movement::Mover mover_;
   StopMemory stop_memory_;

@@ -27,7 +27,7 @@ struct DriverParameters {
   AiboDriverConfig live = AiboDriverConfig::__getDefault__();  ///< those that can be changed later, as they begin
   bool stream_on_start = true;             ///< whether the stream is wanted before set_streaming is called
   double color_rate = 30.0;                ///< images per second of the colour detection, for camera::everyNthImageOf()
-  std::string color_tables = "pink_ball";  ///< for ColorTableService::loadAtStart()
+  std::string color_tables = "pink_ball";  ///< for loadColorTables()
   int microphone_channels = 2;             ///< channels of the topic microphone, 1..2
   bool sound_priority = false;             ///< pictures wait for what the microphones hear
   bool stream_on_demand = true;            ///< stream only while a camera topic has a subscriber

@@ -17,6 +17,7 @@
 #include "camera/stream_policy.h"
 #include "movement/mover.h"
 #include "node/driver_parameters.h"
+#include "robot_model/robot_model.h"
 #include "sound/player.h"
 
 namespace aibo_driver::node {
@@ -63,6 +64,18 @@ Services takePictureServices(
 /// set_streaming and toggle_streaming, which do not wait.
 Services streamServices(const DriverParameters& parameters, const aibo_client::RcServerClient& client,
                         camera::StreamPolicy& policy);
+
+/// Gives a table to a channel of the colour detection; null takes the channel's table away.
+using SetColorTable = std::function<void(int channel, const aibo_client::ColorTablePtr& table)>;
+
+/// load_color_table, which does not wait.
+Services colorTableServices(const robot_model::RobotModel& model, const aibo_client::RcServerClient& client,
+                            const SetColorTable& set_table);
+
+/// Loads tables for the channels 0, 1 and so on.
+/// @param tables files or names for camera::loadColorTable(), separated by blanks or commas
+/// @throw InvalidArgumentException a table cannot be loaded
+void loadColorTables(const std::string& tables, const robot_model::RobotModel& model, const SetColorTable& set_table);
 
 /// play_sound, say and set_volume. Their calls wait for espeak-ng and for the robot.
 Services soundServices(aibo_client::RcServerClient& client, sound::Player& player);

@@ -1,10 +1,11 @@
 // Tables of the colour detection: files, the service, and what is published of the colours detected.
+#include <aibo_driver/LoadColorTable.h>
 #include <gmock/gmock.h>
 #include <ros/package.h>
 
 #include "camera/color_table_file.h"
 #include "node/camera/color_messages.h"
-#include "node/camera/color_table_service.h"
+#include "node/services.h"
 #include "support/fake_client.h"
 #include "support/refusal.h"
 #include "support/ros/call_service.h"
@@ -149,15 +150,16 @@ class ColorTableServiceTest : public ::testing::Test {
     request.channel = static_cast<std::uint8_t>(channel);
     request.file = file;
     request.table = table;
-    return test_support::callService<LoadColorTable>(service_.services(), "load_color_table", request);
+    return test_support::callService<LoadColorTable>(colorTableServices(model_, client_, set_table_),
+                                                     "load_color_table", request);
   }
 
   test_support::FakeClient client_;
   std::vector<std::pair<int, std::string>> loaded_;
-  ColorTableService service_{*robot_model::findRobotModel("ERS-7"), client_,
-                             [this](int channel, const aibo_client::ColorTablePtr& table) {
-                               loaded_.emplace_back(channel, table ? table->name : "");
-                             }};
+  const robot_model::RobotModel& model_ = *robot_model::findRobotModel("ERS-7");
+  const SetColorTable set_table_ = [this](int channel, const aibo_client::ColorTablePtr& table) {
+    loaded_.emplace_back(channel, table ? table->name : "");
+  };
 };
 
 TEST_F(ColorTableServiceTest, AFileATextOrNothing) {
@@ -167,7 +169,6 @@ TEST_F(ColorTableServiceTest, AFileATextOrNothing) {
   EXPECT_THAT(load(0, "pink_ball").message, HasSubstr("Channel 0 detects pink_ball"));
   EXPECT_TRUE(load(6, "", kPink).success);
   EXPECT_THAT(load(6, "", "").message, HasSubstr("detects nothing"));
-  EXPECT_THAT(client_.told, ElementsAre("table 2 pink", "table 0 pink_ball", "table 6 pink", "table 6 none"));
   EXPECT_THAT(loaded_, ElementsAre(Pair(2, "pink"), Pair(0, "pink_ball"), Pair(6, "pink"), Pair(6, "")));
 }
 
@@ -177,7 +178,6 @@ TEST_F(ColorTableServiceTest, WhatCannotBeLoadedLeavesTheChannelAsItIs) {
   EXPECT_THAT(load(0, "/no/such/file.yaml").message, HasSubstr("/no/such/file.yaml"));
   EXPECT_THAT(load(0, "pink_ball", kPink).message, HasSubstr("both given"));
   EXPECT_FALSE(load(0, "", "nonsense").success);
-  EXPECT_THAT(client_.told, testing::IsEmpty());
   EXPECT_THAT(loaded_, testing::IsEmpty());
 }
 
@@ -191,17 +191,17 @@ TEST_F(ColorTableServiceTest, SaysWhenTheRobotDoesNotHaveItYet) {
   const LoadColorTable::Response response = load(0, "pink_ball");
   EXPECT_FALSE(response.success);
   EXPECT_THAT(response.message, HasSubstr("detects no colours"));
-  EXPECT_THAT(client_.told, ElementsAre("table 0 pink_ball", "table 0 pink_ball")) << "it is kept";
+  EXPECT_THAT(loaded_, ElementsAre(Pair(0, "pink_ball"), Pair(0, "pink_ball"))) << "it is kept";
 }
 
 TEST_F(ColorTableServiceTest, TablesOfTheStartAreForTheChannelsInTurn) {
-  service_.loadAtStart(" pink_ball, pink_ball pink_ball");
-  EXPECT_THAT(client_.told, ElementsAre("table 0 pink_ball", "table 1 pink_ball", "table 2 pink_ball"));
+  loadColorTables(" pink_ball, pink_ball pink_ball", model_, set_table_);
+  EXPECT_THAT(loaded_, ElementsAre(Pair(0, "pink_ball"), Pair(1, "pink_ball"), Pair(2, "pink_ball")));
 }
 
 TEST_F(ColorTableServiceTest, ATableOfTheStartThatCannotBeLoadedIsAnError) {
   const std::string problem = test_support::refusalOf<aibo_client::InvalidArgumentException>(
-      [&] { service_.loadAtStart("pink_ball no_such_table"); });
+      [&] { loadColorTables("pink_ball no_such_table", model_, set_table_); });
   EXPECT_THAT(problem, HasSubstr("Parameter color_tables names the table 'no_such_table'"));
   EXPECT_THAT(problem, HasSubstr("there is no such file"));
 }
