@@ -247,9 +247,12 @@ Mover::Answer Mover::refuse(const Order& order, Kind kind, const std::vector<std
   return change([&] { return refuse({kind, "", order.source, known(names), std::nullopt}, reasonOf(reason)); });
 }
 
-std::string Mover::refusal(const Order& order) const {
+void Mover::requirePermission(const Order& order) const {
   const Lock lock(mutex_);
-  return refusalOf(order);
+  const std::string refusal = refusalOf(order);
+  if (!refusal.empty()) {
+    throw CommandException(refusal + ".");
+  }
 }
 
 // Why an order must not act now; empty if it may. An order is too old whatever it has waited for.

@@ -142,9 +142,9 @@ class Mover {
   Answer refuse(const Order& order, Movement::Kind kind, const std::vector<std::string>& names,
                 const std::string& reason);
 
-  /// Why an order that the mover does not carry out itself, such as to flick an ear, must not act now. The text is
-  /// empty if the order may act.
-  std::string refusal(const Order& order) const;
+  /// Call this before an order that the mover does not carry out itself, such as to flick an ear.
+  /// @throw CommandException the order must not act now
+  void requirePermission(const Order& order) const;
 
   /// @}
   /// @name Calls that end movements

@@ -119,10 +119,7 @@ void LedsAndEars::receiveLeds(const Leds& message) {
 
 void LedsAndEars::receiveEars(const Ears& message, const movement::Order& order) {
   send("ears", [&] {
-    const std::string refusal = mover_.refusal(order);
-    if (!refusal.empty()) {
-      throw aibo_client::CommandException(refusal);
-    }
+    mover_.requirePermission(order);
     client_.commandEars(message.left != 0, message.right != 0);
   });
 }

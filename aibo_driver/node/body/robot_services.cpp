@@ -35,13 +35,6 @@ std::string nameOf(const UploadMotion::Request& request) {
   return motionFileName(request.name.empty() ? std::filesystem::path(request.file).filename().string() : request.name);
 }
 
-void requirePermission(const movement::Mover& mover, const movement::Order& order) {
-  const std::string refusal = mover.refusal(order);
-  if (!refusal.empty()) {
-    throw aibo_client::CommandException(refusal + ".");
-  }
-}
-
 }  // namespace
 
 Services robotServices(aibo_client::RcServerClient& client, const movement::Mover& mover) {
@@ -66,13 +59,13 @@ Services robotServices(aibo_client::RcServerClient& client, const movement::Move
                             }),
       service<std_srvs::Trigger>("shut_down", "The robot does not shut down",
                                  [&client, &mover](auto& call) {
-                                   requirePermission(mover, call.order);
+                                   mover.requirePermission(call.order);
                                    client.shutDownRobot(kPowerTimeout);
                                    return "The robot shuts down. The driver connects again when it is switched on.";
                                  }),
       service<std_srvs::Trigger>("reboot", "The robot does not reboot",
                                  [&client, &mover](auto& call) {
-                                   requirePermission(mover, call.order);
+                                   mover.requirePermission(call.order);
                                    client.rebootRobot(kPowerTimeout);
                                    return "The robot reboots. The driver connects again as soon as it answers.";
                                  }),

@@ -121,7 +121,7 @@ TEST_F(LedsAndEarsTest, FlicksNoEarOfAStoppedRobot) {
   client_.told.clear();
   commander_.receiveEars(Ears(), order());
   EXPECT_THAT(client_.told, IsEmpty());
-  EXPECT_THAT(log.texts, ElementsAre("A command to the ears was dropped: stopped by /somebody; call release"));
+  EXPECT_THAT(log.texts, ElementsAre("A command to the ears was dropped: stopped by /somebody; call release."));
   commander_.receiveLeds(face(1.0F));
   EXPECT_THAT(client_.told, ElementsAre("LEDs 7:255")) << "they move nothing";
 }
