@@ -28,19 +28,19 @@ std::string describe(const Movement& movement) {
   const std::string of_joints = movement.joints.empty() ? "" : " of " + listOf(movement.joints);
   switch (movement.kind) {
     case Movement::Kind::kMotion:
-      return "The motion " + movement.name;
+      return "motion " + movement.name;
     case Movement::Kind::kPosture:
-      return "The posture " + movement.name;
+      return "posture " + movement.name;
     case Movement::Kind::kWalk:
-      return "The walk";
+      return movement.name.empty() ? "walk" : "walk " + movement.name;
     case Movement::Kind::kLookAt:
-      return "The look_at";
+      return "look_at" + of_joints;
     case Movement::Kind::kTrajectory:
-      return "The trajectory" + of_joints;
+      return "trajectory" + of_joints;
     case Movement::Kind::kCommand:
       break;
   }
-  return "The command" + of_joints;
+  return "command" + of_joints;
 }
 
 }  // namespace aibo_driver::movement

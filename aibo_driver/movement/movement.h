@@ -58,7 +58,7 @@ std::string describeTooMany(std::size_t names);
 /// Lists the first three names, and says how many more there are.
 std::string listOf(const std::vector<std::string>& names, const std::string& separator = ", ");
 
-/// Describes a movement in words to begin a sentence with, such as "The trajectory of head_pan".
+/// Describes a movement in words to put after an article, such as "trajectory of head_pan".
 std::string describe(const Movement& movement);
 
 }  // namespace aibo_driver::movement

@@ -332,7 +332,7 @@ void AiboDriver::logEnd(const movement::EndedMovement& ended) {
   const bool is_command = ended.movement.kind == Kind::kCommand || ended.movement.kind == Kind::kLookAt;
   const bool is_meant = ended.how == EndedHow::kReplaced || ended.how == EndedHow::kStopped;
   const bool is_as_ever = ended.how == EndedHow::kUnknown && (is_command || ended.movement.kind == Kind::kMotion);
-  const std::string name = movement::describe(ended.movement);
+  const std::string name = "The " + movement::describe(ended.movement);
   if (ended.how == EndedHow::kRefused) {
     movement_warnings_.warn(name + " is refused: " + text::sentence(ended.reason));
   } else if (ended.how == EndedHow::kDone || is_as_ever || (is_command && is_meant)) {

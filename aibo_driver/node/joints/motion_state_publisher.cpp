@@ -10,40 +10,20 @@
 namespace aibo_driver::node {
 namespace {
 
-std::string kindOf(const Movement& movement) {
-  switch (movement.kind) {
-    case Movement::COMMAND:
-      return "command";
-    case Movement::TRAJECTORY:
-      return "trajectory";
-    case Movement::WALK:
-      return movement.name.empty() ? "walk" : "walk " + movement.name;
-    case Movement::POSTURE:
-      return "posture " + movement.name;
-    case Movement::LOOK_AT:
-      return "look_at";
-    default:
-      return "motion " + movement.name;
-  }
-}
-
-std::string describe(const Movement& movement) {
-  return kindOf(movement) + (movement.joints.empty() ? "" : " of " + movement::listOf(movement.joints));
-}
-
-std::string describe(const MotionState& state) {
+std::string describe(const movement::Mover::State& state) {
   std::string text;
-  for (const Movement& movement : state.movements) {
+  for (const movement::Movement& movement : state.movements) {
+    const std::string what = movement::describe(movement);
     text += text.empty() ? "moved by " : " and ";
-    text += movement.source.empty() ? describe(movement) : movement.source + " (" + describe(movement) + ")";
+    text += movement.source.empty() ? what : movement.source + " (" + what + ")";
   }
   text = text.empty() ? "nothing moves the robot" : text;
   if (state.ended.empty()) {
     return text;
   }
-  const EndedMovement& last = state.ended.back();
-  return text + "; last ended: " + describe(last.movement) +
-         (last.how == EndedMovement::DONE ? ", done" : ": " + last.reason);
+  const movement::EndedMovement& last = state.ended.back();
+  return text + "; last ended: " + movement::describe(last.movement) +
+         (last.how == aibo_client::EndedHow::kDone ? ", done" : ": " + last.reason);
 }
 
 Movement toMessage(const movement::Movement& movement, movement::SteadyTime steady_now, const ros::Time& now) {
@@ -82,7 +62,7 @@ MotionState toMessage(const movement::Mover::State& state, movement::SteadyTime 
     ended.reason = each->reason;
     message.ended.push_back(ended);
   }
-  message.text = describe(message);
+  message.text = describe(state);
   return message;
 }
 
