@@ -398,7 +398,6 @@ void AiboDriver::updateConnection(const aibo_client::ConnectionStatus& status) {
   if (status.state != aibo_client::ConnectionState::kConnected) {
     measured_joints_.clear();
     mover_.disconnected();
-    power_.connectionLost();
     return;
   }
   if (!status.robot.design.empty() && status.robot.design != parameters_.robot) {

@@ -4,7 +4,6 @@
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>
 
 #include <string>
-#include <utility>
 
 #include "node/body/sensor_messages.h"
 #include "text/number.h"
@@ -53,17 +52,13 @@ void warnOfTemperature(double temperature, DiagnosticStatusWrapper& status) {
 
 void PowerStatus::update(const aibo_client::Telemetry& telemetry) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (std::exchange(is_over_, false)) {
+  if (connection_ != telemetry.connection_number) {
+    connection_ = telemetry.connection_number;
     charge_.reset();
     temperature_.reset();
   }
   updateFrom(telemetry, model_, "battery", &charge_);
   updateFrom(telemetry, model_, "temperature", &temperature_);
-}
-
-void PowerStatus::connectionLost() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  is_over_ = true;
 }
 
 void PowerStatus::report(bool asked, DiagnosticStatusWrapper& status) const {
@@ -74,14 +69,14 @@ void PowerStatus::report(bool asked, DiagnosticStatusWrapper& status) const {
                                              (last.empty() ? "" : "; last measured: " + last));
     return;
   }
-  if (!charge_ || is_over_) {
+  if (!charge_) {
     status.summary(DiagnosticStatus::WARN, "the robot does not report its battery: does its RCServer support sensors?");
   } else {
     status.summary(DiagnosticStatus::OK, last);
     status.addf("charge, %", "%.0f", 100 * *charge_);
     warnOfCharge(*charge_, status);
   }
-  if (temperature_ && !is_over_) {
+  if (temperature_) {
     status.addf("temperature, degrees Celsius", "%.1f", *temperature_);
     warnOfTemperature(*temperature_, status);
   }

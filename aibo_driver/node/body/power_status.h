@@ -2,6 +2,7 @@
 #ifndef AIBO_DRIVER_NODE_BODY_POWER_STATUS_H
 #define AIBO_DRIVER_NODE_BODY_POWER_STATUS_H
 
+#include <cstdint>
 #include <mutex>
 #include <optional>
 
@@ -31,16 +32,13 @@ class PowerStatus {
 
   void update(const aibo_client::Telemetry& telemetry);
 
-  /// Call this when the connection is lost. What was measured stays as the last state until the next measurement.
-  void connectionLost();
-
   /// @param asked whether the robot is connected and was asked for telemetry; only then is silence a fault
   void report(bool asked, diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
  private:
   const robot_model::RobotModel& model_;
   mutable std::mutex mutex_;
-  bool is_over_ = false;  ///< true if the values were measured over a connection that is now lost
+  std::uint64_t connection_ = 0;  ///< the connection over which the values were measured
   std::optional<double> charge_;
   std::optional<double> temperature_;
 };
