@@ -15,7 +15,7 @@
 
 #include "movement/joint_plan.h"
 #include "node/goal_server.h"
-#include "node/joints/trajectory_messages.h"
+#include "node/joints/joint_commander.h"
 #include "text/plain_text.h"
 
 namespace aibo_driver::node {

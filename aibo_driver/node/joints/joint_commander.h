@@ -5,6 +5,7 @@
 #include <ros/console.h>
 #include <ros/node_handle.h>
 #include <ros/steady_timer.h>
+#include <ros/time.h>
 #include <sensor_msgs/JointState.h>
 #include <trajectory_msgs/JointTrajectory.h>
 
@@ -14,9 +15,20 @@
 
 #include "movement/joint_table.h"
 #include "movement/mover.h"
+#include "movement/trajectory.h"
 #include "text/throttled_warnings.h"
 
 namespace aibo_driver::node {
+
+/// How long to wait before a trajectory begins. Any thread may call this function.
+/// @param stamp header.stamp of the message, with any value; 0 means at once
+/// @param now the time of the same clock
+/// @return -1 s to one hour; it is below 0 if the trajectory should have begun already
+/// @throw InvalidArgumentException the stamp is more than 1 s in the past, or more than an hour in the future
+std::chrono::nanoseconds waitBeforeStart(const ros::Time& stamp, const ros::Time& now);
+
+/// Makes a request of the message, without its stamp and without a check. Any thread may call this function.
+movement::TrajectoryRequest toRequest(const trajectory_msgs::JointTrajectory& message);
 
 /// The topics that command joints: joint_command, JOINT_position_controller/command and joint_trajectory.
 ///

@@ -1,4 +1,4 @@
-#include "node/joints/trajectory_messages.h"
+#include "node/joints/joint_commander.h"
 
 #include <gmock/gmock.h>
 
