@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "aibo_client/exceptions.h"
-#include "node/parameter_value.h"
+#include "node/node.h"
 #include "robot_model/robot_model.h"
 
 namespace aibo_driver::node {

@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -24,8 +25,8 @@
 #include <string>
 #include <utility>
 
-#include "node/parameter_value.h"
 #include "text/log_lines.h"
+#include "text/plain_text.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -147,6 +148,29 @@ ros::NodeHandle inDriverNamespace(const ros::NodeHandle& handle, const std::stri
   }
   ROS_INFO_STREAM("Started in the root namespace: topics and services are under /" << default_namespace << ".");
   return {handle, default_namespace};
+}
+
+double numberIn(XmlRpc::XmlRpcValue value) {
+  switch (value.getType()) {
+    case XmlRpc::XmlRpcValue::TypeInt:
+      return static_cast<int>(value);
+    case XmlRpc::XmlRpcValue::TypeDouble:
+      return value;
+    default:
+      return NAN;
+  }
+}
+
+std::string describeRefusal(const std::string& name, XmlRpc::XmlRpcValue value, const std::string& allowed) {
+  std::string given;
+  if (value.getType() == XmlRpc::XmlRpcValue::TypeString) {
+    given = "the text '" + text::plainLine(static_cast<std::string>(value)) + "'";
+  } else {
+    std::ostringstream written;
+    value.write(written);
+    given = text::plainLine(written.str());
+  }
+  return "Parameter " + name + " is " + given + "; it must be " + allowed + ".";
 }
 
 double readNumber(const ros::NodeHandle& parameters, const std::string& name, double number, double highest,

@@ -4,6 +4,7 @@
 #define AIBO_DRIVER_NODE_NODE_H
 
 #include <ros/node_handle.h>
+#include <xmlrpcpp/XmlRpcValue.h>
 
 #include <cstdint>
 #include <functional>
@@ -17,6 +18,17 @@ namespace aibo_driver::node {
 /// @param handle the namespace that the node was started in
 /// @param default_namespace used instead of the root namespace, such as "aibo"
 ros::NodeHandle inDriverNamespace(const ros::NodeHandle& handle, const std::string& default_namespace);
+
+/// @return the number, whole or not; NaN if the value is anything else, such as a text
+double numberIn(XmlRpc::XmlRpcValue value);
+
+/// A sentence for the user about a parameter that is refused.
+/// @param name the name with its namespace
+/// @param allowed the words to put after "it must be"
+std::string describeRefusal(const std::string& name, XmlRpc::XmlRpcValue value, const std::string& allowed);
+
+/// What a user can do about a parameter that is refused, as a sentence.
+constexpr const char* kHowToRemove = "'rosparam delete NAME' removes a parameter that was set before.";
 
 /// Reads a parameter that is a number.
 /// @param number the value if the parameter is not set
