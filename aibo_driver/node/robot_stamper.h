@@ -50,8 +50,8 @@ class RobotStamper {
                std::function<SteadyTime()> steady_now = std::chrono::steady_clock::now);
 
   /// When the robot took the picture, and the stamp of its messages. The same picture gets the same stamp as long as it
-  /// is among the kRemembered latest ones. A stamp is never before the epoch, even if a simulated clock has not begun to
-  /// run.
+  /// is among the kRemembered latest ones. A stamp is never before the epoch, even if a simulated clock has not begun
+  /// to run.
   Moment momentOf(const aibo_client::Picture& picture) {
     return find(picture.connection_number, picture.frame_number, picture.first_byte_time);
   }

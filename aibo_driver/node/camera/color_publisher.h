@@ -2,17 +2,32 @@
 #ifndef AIBO_DRIVER_NODE_CAMERA_COLOR_PUBLISHER_H
 #define AIBO_DRIVER_NODE_CAMERA_COLOR_PUBLISHER_H
 
+#include <aibo_driver/ColorRegions.h>
 #include <ros/node_handle.h>
+#include <sensor_msgs/Image.h>
+#include <std_msgs/Header.h>
 
+#include <array>
 #include <functional>
 #include <mutex>
 
 #include "aibo_client/colors.h"
-#include "node/camera/color_messages.h"
+#include "camera/color_table_file.h"
 #include "node/driver_parameters.h"
 #include "node/robot_stamper.h"
 
 namespace aibo_driver::node {
+
+/// The regions in pixels of the camera's picture, which is twice as wide and high as the plane.
+ColorRegions toRegions(const aibo_client::DetectedColors& colors, const std_msgs::Header& header);
+
+/// The colour of each channel; the index is the channel.
+using ChannelColors = std::array<camera::RgbColor, aibo_client::kMostColorChannels>;
+
+/// The mask as an rgb8 image of the plane's size. A pixel where nothing was detected is black. Any other pixel has the
+/// colour of its lowest channel.
+sensor_msgs::Image toMask(const aibo_client::DetectedColors& colors, const ChannelColors& channels,
+                          const std_msgs::Header& header);
 
 /// Publishes what the robot's camera detects: color_regions, and color_mask as an image. The robot detects only while
 /// one of the two has a subscriber. It sends the mask only while color_mask has one. Any thread may call any function.

@@ -4,7 +4,7 @@
 #include <ros/package.h>
 
 #include "camera/color_table_file.h"
-#include "node/camera/color_messages.h"
+#include "node/camera/color_publisher.h"
 #include "node/services.h"
 #include "support/fake_client.h"
 #include "support/refusal.h"
