@@ -26,7 +26,7 @@ std::optional<std::size_t> findIndex(const std::vector<JointProperties>& joints,
 }
 
 /// All robots use the same identifiers for the joints of their legs.
-bool isOfLeg(int id) {
+bool isJointOfLeg(int id) {
   for (const auto leg : {robot_model::LEFT_FRONT_LEG, robot_model::LEFT_HIND_LEG, robot_model::RIGHT_FRONT_LEG,
                          robot_model::RIGHT_HIND_LEG}) {
     for (int number = 0; number < robot_model::JOINTS_OF_A_LEG; ++number) {
@@ -50,36 +50,19 @@ JointTable::JointTable(const std::string& design, double speed_limit, double mot
     const robot_model::Joint& joint = model->joints[i];
     joints_.push_back({joint.name, joint.identifier, radian(joint.lowest), radian(joint.highest),
                        std::min(speed_limit, radian(joint.highest_speed)), radian(joint.highest_speed),
-                       isOfLeg(joint.identifier)});
+                       isJointOfLeg(joint.identifier)});
   }
 }
 
 std::vector<JointSpeedLimit> JointTable::motionSpeedLimits() const {
-  std::vector<JointSpeedLimit> limits;
-  for (const JointProperties& joint : joints_) {
-    limits.push_back({joint.id, std::min(motion_speed_limit_, joint.own_speed) * speed_scale_});
-  }
-  return limits;
-}
-
-std::vector<int> JointTable::identifiersOfLegs() const {
-  std::vector<int> identifiers;
-  for (const JointProperties& joint : joints_) {
-    if (joint.is_of_leg) {
-      identifiers.push_back(joint.id);
-    }
-  }
-  return identifiers;
+  return collect([](const auto&) { return true; },
+                 [this](const JointProperties& joint) {
+                   return JointSpeedLimit{joint.id, std::min(motion_speed_limit_, joint.own_speed) * speed_scale_};
+                 });
 }
 
 std::vector<JointSpeedLimit> JointTable::ownSpeedsOfLegs() const {
-  std::vector<JointSpeedLimit> limits;
-  for (const JointProperties& joint : joints_) {
-    if (joint.is_of_leg) {
-      limits.push_back({joint.id, joint.own_speed});
-    }
-  }
-  return limits;
+  return collect(isOfLeg, [](const JointProperties& joint) { return JointSpeedLimit{joint.id, joint.own_speed}; });
 }
 
 std::optional<std::size_t> JointTable::findByName(const std::string& name) const {

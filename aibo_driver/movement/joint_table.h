@@ -32,6 +32,10 @@ struct JointProperties {
   bool is_of_leg = false;
 };
 
+inline bool isOfLeg(const JointProperties& joint) {
+  return joint.is_of_leg;
+}
+
 /// The joints of a robot, as aibo_rcserver/robot_model lists them.
 class JointTable {
  public:
@@ -50,26 +54,26 @@ class JointTable {
   /// The speed limit in force, in rad/s. Any thread may call this function.
   double speedLimit(std::size_t index) const { return joints_[index].highest_speed * speed_scale_; }
 
-  /// The speed limits of all joints while a motion file is played. Any thread may call it.
-  std::vector<aibo_client::JointSpeedLimit> motionSpeedLimits() const;
+  /// What `select` returns for each joint for which a condition holds.
+  template <typename Condition, typename Select>
+  auto collect(const Condition& condition, const Select& select) const {
+    std::vector<decltype(select(joints_.front()))> selected;
+    for (const JointProperties& joint : joints_) {
+      if (condition(joint)) {
+        selected.push_back(select(joint));
+      }
+    }
+    return selected;
+  }
 
   /// The names of the joints for which a condition holds.
   template <typename Condition>
   std::vector<std::string> namesOf(const Condition& condition) const {
-    std::vector<std::string> names;
-    for (const JointProperties& joint : joints_) {
-      if (condition(joint)) {
-        names.push_back(joint.name);
-      }
-    }
-    return names;
+    return collect(condition, [](const JointProperties& joint) { return joint.name; });
   }
 
-  /// The joints of the legs.
-  std::vector<std::string> namesOfLegs() const {
-    return namesOf([](const JointProperties& joint) { return joint.is_of_leg; });
-  }
-  std::vector<int> identifiersOfLegs() const;
+  /// The speed limits of all joints while a motion file is played. Any thread may call it.
+  std::vector<aibo_client::JointSpeedLimit> motionSpeedLimits() const;
 
   /// How fast the joints of the legs can move without speed limits.
   std::vector<aibo_client::JointSpeedLimit> ownSpeedsOfLegs() const;

@@ -498,7 +498,7 @@ void Mover::cancel(MovementId movement, const std::string& reason) {
   const auto hold_joints = [&] {
     const Record* const record = book_.find(movement);
     const bool is_posture = record != nullptr && record->is(Kind::kPosture);
-    const std::vector<int> legs = table_.identifiersOfLegs();
+    const std::vector<int> legs = table_.collect(isOfLeg, [](const JointProperties& joint) { return joint.id; });
     std::vector<int> joints = is_posture ? legs : std::vector<int>();
     for (const auto& [joint, target] : plan_.holdingTargets(clock_(), movement)) {
       joints.push_back(joint);
@@ -749,7 +749,7 @@ void Mover::checkConnection() {
 
 // Ends the walks if an order moves a leg.
 void Mover::takeLegsFromWalks(const Movement& movement) {
-  const std::vector<std::string> legs = table_.namesOfLegs();
+  const std::vector<std::string> legs = table_.namesOf(isOfLeg);
   const auto leg = std::find_first_of(legs.begin(), legs.end(), movement.joints.begin(), movement.joints.end());
   if (leg != legs.end()) {
     overruleWalks({EndedHow::kReplaced, movement.source + " moves " + *leg});
@@ -763,7 +763,7 @@ void Mover::endTrajectories(const std::string& reason) {
 // Frees the legs for a walk or a posture. Movements of the head alone go on. A walk needs the full speed of the legs,
 // but the robot would keep lower speed limits of earlier commands.
 void Mover::freeLegs(const std::string& reason) {
-  const std::vector<std::string> legs = table_.namesOfLegs();
+  const std::vector<std::string> legs = table_.namesOf(isOfLeg);
   book_.haltEach([&](const Record& each) { return isTrajectoryOf(each, legs); }, {EndedHow::kReplaced, reason});
   plan_.forget(legs);
   if (client_.status().robot.hasCapability("S")) {

@@ -41,10 +41,10 @@ using FeedbackOf = typename Spec::_action_feedback_type::_feedback_type;
 /// end, begins these 5 s again whenever somebody cancels all goals, and never forgets a cancel that has no time and
 /// names a goal that never came. At each change, it publishes all that it keeps. A single cancel with a time in the
 /// future would end all later goals. This class drops the content of a goal after its end.
-template <typename Action>
-class BoundedActionServer : public actionlib::ActionServer<Action> {
+template <typename Spec>
+class BoundedActionServer : public actionlib::ActionServer<Spec> {
  public:
-  using GoalHandle = typename actionlib::ActionServer<Action>::GoalHandle;
+  using GoalHandle = typename actionlib::ActionServer<Spec>::GoalHandle;
 
   /// How many goals that have ended are kept, together with cancels of goals that have not come yet.
   static constexpr std::size_t kMostEnded = 32;
@@ -59,16 +59,16 @@ class BoundedActionServer : public actionlib::ActionServer<Action> {
   template <typename Accept, typename Cancel>
   BoundedActionServer(const ros::NodeHandle& handle, const std::string& name, const Accept& accept,
                       const Cancel& cancel)
-      : actionlib::ActionServer<Action>(handle, name, accept, cancel, false), actions_(handle, name) {}
+      : actionlib::ActionServer<Spec>(handle, name, accept, cancel, false), actions_(handle, name) {}
 
   // actionlib does not report a goal that was cancelled before it came, or a cancel of an unknown goal. So the server
   // listens to the same topics, and is called right after actionlib, which subscribed first. A shorter queue than
   // actionlib's own would drop messages, and this server could see the last message before actionlib does.
   void start() {
     constexpr std::uint32_t kQueueOfActionlib = 50;  // actionlib_server_sub_queue_size in action_server_imp.h
-    actionlib::ActionServer<Action>::start();
+    actionlib::ActionServer<Spec>::start();
     watches_ = {
-        actions_.subscribe<typename Action::_action_goal_type>("goal", kQueueOfActionlib, [this](auto) { forget(); }),
+        actions_.subscribe<typename Spec::_action_goal_type>("goal", kQueueOfActionlib, [this](auto) { forget(); }),
         actions_.subscribe<actionlib_msgs::GoalID>("cancel", kQueueOfActionlib, [this](auto) { forget(); })};
   }
 
