@@ -16,18 +16,14 @@ namespace aibo_driver::movement {
 /// The approach speed in rad/s, unless the user sets another one.
 constexpr double kUsualApproachSpeed = 0.5;
 
-/// Protects the joints from harmful commands.
+/// Protects the joints from harmful commands, as docs/ros_interface.md says ("Guard rails"). If a joint is named twice,
+/// its last position counts. Limits that depend on other joints are left to the robot.
 ///
-/// - A command whose arrays do not fit together is refused. If a joint is not one of the robot's, or if its position or
-///   velocity is not a finite number, only this joint is left out. If a joint is named twice, its last position counts.
-/// - Positions are clamped to the joint's limits. Limits that depend on other joints are left to the robot.
-/// - No joint moves faster than its speed limit or the given velocity.
-/// - Approach: the first command to a joint may come from a program that does not know the robot's posture. For
-///   example, joint_state_publisher_gui begins by commanding every joint to 0 or to its middle. So the joint moves
-///   there at the approach speed. The approach ends after the time that this takes, or when a new target comes while
-///   the measured joint is near the old one. From then on only the speed limit holds. A new target during the approach
-///   makes it longer, but at most as long as the joint takes for its whole range. A joint that is stopped on the way
-///   begins its approach again.
+/// Approach: the first command to a joint may come from a program that does not know the robot's posture. For example,
+/// joint_state_publisher_gui begins by commanding every joint to 0 or to its middle. So the joint moves there at the
+/// approach speed. The approach ends after the time that this takes, or when a new target comes while the measured
+/// joint is near the old one. A new target during the approach makes it longer, but at most as long as the joint takes
+/// for its whole range.
 class JointCommandFilter {
  public:
   using SteadyTime = std::chrono::steady_clock::time_point;

@@ -46,11 +46,7 @@ struct JointStep {
 /// The plan for the joints. It contains trajectories, and the latest command to each joint. From these it computes
 /// where each joint should be at a time.
 ///
-/// Trajectories of different joints run side by side. When one starts, it replaces those that move one of its joints,
-/// and goes on from the position and velocity planned for that time. It replaces at once those that would start later.
-///
-/// Only a few trajectories may wait for their time: kMostWaiting in all, and kMostWaitingForJoint for each joint. A
-/// trajectory that starts at once does not wait, so these limits never refuse it.
+/// docs/ros_interface.md ("Trajectories") says how trajectories follow each other, and how many may wait.
 ///
 /// A trajectory stays in the plan until forget(), unless the plan ends it: if it cannot begin, or if a newer one has
 /// replaced it. A trajectory whose arrival is measured is done when all its joints have been measured at their targets,

@@ -17,16 +17,14 @@
 
 namespace aibo_driver::node {
 
-/// Stamps the messages of one stream, either pictures or telemetry. The stamp is the time on ROS' clock when the robot
-/// took the picture or measured. If a message has no frame number, for example because it comes from a version 1
-/// server, its stamp is its time of arrival. No stamp is later than the arrival of its message, even if the frame
-/// number is. The only exceptions are `time_offset`, and a few nanoseconds that distinguish messages that arrive
-/// together.
+/// Stamps the messages of one stream, as docs/ros_interface.md says ("Stamps"). A message without a frame number, such
+/// as one from a version 1 server, has its time of arrival as stamp. No stamp is later than the arrival of its message,
+/// even if the frame number is. The only exceptions are `time_offset`, and a few nanoseconds that distinguish messages
+/// that arrive together.
 ///
-/// The time is computed on the steady clock. It is converted to ROS' clock when the stamp is first asked for. So when
-/// ROS' clock is set, the stamps follow at once. With a simulated clock, they are as fine as its steps. The stamps of
-/// different messages strictly increase, unless ROS' clock is set back by more than kClockStep. In that case they
-/// follow the clock, because they would otherwise stand still until it has caught up. Any thread may call any function.
+/// The time is computed on the steady clock. It is converted to ROS' clock when the stamp is first asked for. If ROS'
+/// clock is set back by more than kClockStep, the stamps follow it, because they would otherwise stand still until it
+/// has caught up. Any thread may call any function.
 class RobotStamper {
  public:
   using SteadyTime = std::chrono::steady_clock::time_point;

@@ -75,12 +75,9 @@ class RangeFinder {
 
 /// The message of the three accelerometers, in the axes of the body (REP 103: x forward, y left, z up).
 ///
-/// Like every accelerometer, these also measure the force that holds the robot up: at rest, 9.81 upwards
-/// (sensor_msgs/Imu). Sony names the axes (a1 front-back, a2 right-left, a3 up-down; Model Information ERS-7) but not
-/// their signs. The signs follow from Tekkotsu's ERS7Info.h and ERS210Info.h, which describe real robots: a1 is
-/// negative when the robot sits, a2 when it lies on its left side, a3 when it stands. In these three postures its nose,
-/// its right side and its back point up. So a1 counts backwards, a2 to the left and a3 downwards. These axes are
-/// right-handed. They are the axes of the body after half a turn about y.
+/// Sony names the axes (a1 front-back, a2 right-left, a3 up-down; Model Information ERS-7) but not their signs. These
+/// follow from Tekkotsu's ERS7Info.h and ERS210Info.h: a1 is negative when the robot sits, a2 when it lies on its left
+/// side, a3 when it stands. So a1 counts backwards, a2 to the left and a3 downwards.
 class Accelerometer {
  public:
   using Message = sensor_msgs::Imu;

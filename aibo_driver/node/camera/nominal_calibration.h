@@ -14,12 +14,8 @@ namespace aibo_driver::node {
 /// The calibration of an ideal camera that has the field of view given by Sony. It has no distortion, and its optical
 /// axis is in the middle of the picture.
 ///
-/// ERS-7: 56.9 x 45.2 degrees (Model Information ERS-7). For pictures of 208x160 this gives fx = 104 / tan(28.45
-/// degrees) = 191.9 and fy = 80 / tan(22.6 degrees) = 192.2. Tekkotsu publishes the calibration of one real ERS-7
-/// (tekkotsu.xml): fx 198.8, fy 200.3, cx 102.7, cy 85.0 and a barrel distortion (k1 -0.147, k2 0.385). We use Sony's
-/// figures because Tekkotsu's are of one robot only; they differ by 4 %. The simulated camera has the same field of
-/// view.
-/// ERS-210: 57.6 x 47.8 degrees (Model Information ERS-210).
+/// ERS-7: 56.9 x 45.2 degrees (Model Information ERS-7), as the simulated camera. ERS-210: 57.6 x 47.8 degrees (Model
+/// Information ERS-210). docs/calibration.md compares them with the calibration of a real robot.
 ///
 /// Any thread may call this function.
 /// @param design the robot's design, "ERS-7" or "ERS-210"
