@@ -101,6 +101,7 @@ class AiboDriver {
 
   // Each member uses only the members before it. ROS may call back as soon as a topic or service is advertised.
   ReceiptClock receipts_;
+  const SignsOfLife signs_of_life_{receipts_};
   /// The thread for settings, reports, and subscribers that come and go. It is not in the pool, because callers that
   /// wait there would delay it.
   CallbackThreads own_thread_;

@@ -4,7 +4,6 @@
 
 #include <boost/make_shared.hpp>
 
-#include <algorithm>
 #include <exception>
 #include <optional>
 #include <utility>
@@ -43,33 +42,11 @@ class Received : public ros::CallbackInterface {
 
 }  // namespace
 
-ReceiptClock::ReceiptClock()
-    : listener_(ros::PollManager::instance()->addPollThreadListener([this] { alive(steady_clock::now()); })) {}
+SignsOfLife::SignsOfLife(ReceiptClock& clock)
+    : listener_(ros::PollManager::instance()->addPollThreadListener([&clock] { clock.alive(steady_clock::now()); })) {}
 
-// After this call, roscpp's thread reports no more signs of life.
-ReceiptClock::~ReceiptClock() {
+SignsOfLife::~SignsOfLife() {
   ros::PollManager::instance()->removePollThreadListener(listener_);
-}
-
-void ReceiptClock::alive(TimePoint now) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  noteLife(now);
-}
-
-ReceiptClock::TimePoint ReceiptClock::receipt(TimePoint now) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (last_) {
-    noteLife(now);
-  }
-  return now < caught_up_ ? before_gap_ : now;
-}
-
-void ReceiptClock::noteLife(TimePoint now) {
-  if (last_ && now - *last_ > kLongestGap) {
-    before_gap_ = *last_;
-    caught_up_ = now + kCatchingUp;
-  }
-  last_ = std::max(last_.value_or(now), now);
 }
 
 ReceiptClock::TimePoint receivedAt() {

@@ -11,48 +11,28 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
-#include <mutex>
-#include <optional>
 #include <thread>
 #include <vector>
 
+#include "system/receipt_clock.h"
+
 namespace aibo_driver::node {
 
-/// Knows when messages and calls came. If a process stalls, it reads the messages that have come meanwhile only
-/// afterwards. Such a message may have come right after the last sign of life, so we assume that it did. The signs are
-/// those of roscpp's thread, which reads all messages: on a busy computer, another thread may wake much earlier. Any
-/// thread may call any function.
-class ReceiptClock {
+using aibo_system::ReceiptClock;
+
+/// Gives a clock the signs of life of roscpp's thread, which reads all messages: on a busy computer, another thread may
+/// wake much earlier.
+class SignsOfLife {
  public:
-  using TimePoint = std::chrono::steady_clock::time_point;
+  /// @param clock must outlive the object
+  explicit SignsOfLife(ReceiptClock& clock);
 
-  /// The greatest gap between two signs of life without a stall. It is five times what roscpp's thread sleeps at most
-  /// (ros::PollManager), because a busy computer lets that thread wait, too.
-  static constexpr std::chrono::milliseconds kLongestGap{500};
-  /// The time after a longer gap within which all that has waited is read.
-  static constexpr std::chrono::milliseconds kCatchingUp{200};
-
-  ReceiptClock();
-  ~ReceiptClock();
-  ReceiptClock(const ReceiptClock&) = delete;
-  ReceiptClock& operator=(const ReceiptClock&) = delete;
-
-  /// Notes a sign of life. After the first one, the next is expected within kLongestGap.
-  /// @param now the time of the steady clock
-  void alive(TimePoint now);
-
-  /// The time when something that is read now came, or the earliest possible time if that is not known. Before the
-  /// first sign of life, the result is `now`.
-  /// @param now the time of the steady clock
-  TimePoint receipt(TimePoint now);
+  /// After this call, roscpp's thread reports no more signs of life.
+  ~SignsOfLife();
+  SignsOfLife(const SignsOfLife&) = delete;
+  SignsOfLife& operator=(const SignsOfLife&) = delete;
 
  private:
-  void noteLife(TimePoint now);
-
-  std::mutex mutex_;
-  std::optional<TimePoint> last_;  ///< the last sign of life
-  TimePoint before_gap_;           ///< the last sign of life before the process stalled
-  TimePoint caught_up_;            ///< messages that are read before this time may be old
   boost::signals2::connection listener_;
 };
 
