@@ -1,16 +1,25 @@
+#include <aibo_driver/DeletePicture.h>
+#include <aibo_driver/FetchPicture.h>
+#include <aibo_driver/ListPictures.h>
 #include <aibo_driver/TakePicture.h>
+#include <aibo_driver/TakePictureOnRobot.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "aibo_client/exceptions.h"
 #include "camera/camera_options.h"
 #include "files/files.h"
+#include "node/camera/camera_publisher.h"
 #include "node/connection_message.h"
 #include "node/service.h"
 #include "node/services.h"
@@ -18,6 +27,9 @@
 
 namespace aibo_driver::node {
 namespace {
+
+// How long a call waits for a picture on the memory stick, which is slow.
+constexpr std::chrono::milliseconds kStickTimeout{15000};
 
 std::string describePicture(const aibo_client::Picture& picture, int asked_quality) {
   std::string text = "Took a picture of " + std::to_string(picture.width) + "x" + std::to_string(picture.height) +
@@ -59,6 +71,31 @@ std::optional<aibo_client::Resolution> resolutionIn(const TakePicture::Request& 
   return resolution;
 }
 
+/// @param asked the quality in the request; 0 means the default
+int qualityOf(int asked, const std::function<int()>& default_quality) {
+  return asked == 0 ? default_quality() : std::min(asked, camera::kMaxQuality);
+}
+
+/// Saves a picture if the caller wants that.
+/// @param got a sentence that says which picture the answer has
+template <typename Service>
+std::string save(const std::vector<std::uint8_t>& jpeg, const std::string& folder, const std::string& got,
+                 ServiceCall<Service>* call) {
+  if (call->request.save_to.empty()) {
+    return got;
+  }
+  call->failure = got + " It was not saved";
+  return got + " Saved to '" + files::saveJpeg(folder, call->request.save_to, jpeg) + "'.";
+}
+
+/// @throw InvalidArgumentException the name is empty
+std::string pictureNamed(const std::string& name) {
+  if (name.empty()) {
+    throw aibo_client::InvalidArgumentException("give the name of a picture. list_pictures lists them.");
+  }
+  return files::pictureFileName(name);
+}
+
 /// Answers a caller who wants the stream on or off. Success means that the stream is as wanted, or soon will be.
 template <typename Response>
 std::string answerWish(bool wanted, const camera::StreamPolicy& policy, const DriverParameters& parameters,
@@ -87,18 +124,46 @@ Services takePictureServices(
   const auto take = [&client, default_quality, to_message, calls, timeout = parameters.take_picture_timeout,
                      folder = files::pictureFolder(parameters.picture_folder)](ServiceCall<TakePicture>& call) {
     const PictureCall counted(*calls);
-    const int asked = call.request.quality;
-    const int quality = asked == 0 ? default_quality() : std::min(asked, camera::kMaxQuality);
+    const int quality = qualityOf(call.request.quality, default_quality);
     const aibo_client::PicturePtr picture = client.takePicture(quality, timeout, resolutionIn(call.request));
     call.response.image = to_message(*picture);
-    const std::string taken = describePicture(*picture, quality);
-    if (call.request.save_to.empty()) {
-      return taken;
-    }
-    call.failure = taken + " It was not saved";
-    return taken + " Saved to '" + files::saveJpeg(folder, call.request.save_to, picture->jpeg) + "'.";
+    return save(picture->jpeg, folder, describePicture(*picture, quality), &call);
   };
   return {service<TakePicture>("take_picture", "There is no picture", take)};
+}
+
+Services stickPictureServices(const DriverParameters& parameters, aibo_client::RcServerClient& client,
+                              const std::function<int()>& default_quality) {
+  const auto take = [&client, default_quality](ServiceCall<TakePictureOnRobot>& call) {
+    const int quality = qualityOf(call.request.quality, default_quality);
+    call.response.name = client.takePictureOnRobot(quality, kStickTimeout);
+    return call.response.name + " is on the robot's memory stick, at quality " + std::to_string(quality) +
+           ". fetch_picture gets it.";
+  };
+  const auto fetch = [&client, folder = files::pictureFolder(parameters.picture_folder),
+                      frame_id = parameters.frame(parameters.frame_id)](ServiceCall<FetchPicture>& call) {
+    const std::string name = pictureNamed(call.request.name);
+    sensor_msgs::CompressedImage& image = call.response.image;
+    image.data = client.fetchPicture(name, kStickTimeout);
+    image.format = CameraPublisher::kFormat;
+    image.header.frame_id = frame_id;
+    return save(image.data, folder, "Got " + name + ", " + std::to_string(image.data.size()) + " bytes.", &call);
+  };
+  return {
+      service<TakePictureOnRobot>("take_picture_on_robot", "There is no picture", take),
+      service<ListPictures>("list_pictures", "The pictures could not be listed",
+                            [&client](auto& call) {
+                              call.response.names = client.listPictures(kStickTimeout);
+                              return "Pictures on the robot: " + std::to_string(call.response.names.size()) + ".";
+                            }),
+      service<FetchPicture>("fetch_picture", "There is no picture", fetch),
+      service<DeletePicture>("delete_picture", "Nothing was deleted",
+                             [&client](auto& call) {
+                               const std::string name = pictureNamed(call.request.name);
+                               client.deletePicture(name, kStickTimeout);
+                               return name + " was deleted from the robot.";
+                             }),
+  };
 }
 
 Services streamServices(const DriverParameters& parameters, const aibo_client::RcServerClient& client,
