@@ -17,18 +17,6 @@ namespace {
 // The longest reason. The robot may have chosen a part of it.
 constexpr std::size_t kLongestReason = 1000;  // bytes
 
-std::uint8_t stateConstant(ConnectionState state) {
-  switch (state) {
-    case ConnectionState::kConnected:
-      return Connection::CONNECTED;
-    case ConnectionState::kConnecting:
-      return Connection::CONNECTING;
-    case ConnectionState::kDisconnected:
-      break;
-  }
-  return Connection::DISCONNECTED;
-}
-
 }  // namespace
 
 std::string robotAddress(const ClientOptions& options) {
@@ -36,17 +24,11 @@ std::string robotAddress(const ClientOptions& options) {
 }
 
 std::string describeConnection(const ConnectionStatus& status, const ClientOptions& options) {
-  std::string text;
-  switch (status.state) {
-    case ConnectionState::kConnected:
-      return "connected to " + robotAddress(options) + ", protocol version " + std::to_string(status.protocol_version);
-    case ConnectionState::kConnecting:
-      text = "connecting to " + robotAddress(options);
-      break;
-    case ConnectionState::kDisconnected:
-      text = "not connected to " + robotAddress(options);
-      break;
+  const std::string address = robotAddress(options);
+  if (status.state == ConnectionState::kConnected) {
+    return "connected to " + address + ", protocol version " + std::to_string(status.protocol_version);
   }
+  std::string text = (status.state == ConnectionState::kConnecting ? "connecting to " : "not connected to ") + address;
   if (!status.reason.empty()) {
     text += ": " + text::plainLine(status.reason, kLongestReason);
   }
@@ -58,7 +40,7 @@ std::string describeConnection(const ConnectionStatus& status, const ClientOptio
 
 Connection toMessage(const ConnectionStatus& status, const ClientOptions& options, const std::string& settings) {
   Connection message;
-  message.state = stateConstant(status.state);
+  message.state = static_cast<std::uint8_t>(status.state);  // the constants have the same numbers
   message.text = describeConnection(status, options);
   message.host = options.host;
   message.port = static_cast<std::uint16_t>(options.port);
