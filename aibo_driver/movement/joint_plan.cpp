@@ -235,7 +235,7 @@ Trajectory JointPlan::plan(const Job& job, SteadyTime now) const {
       throw aibo_client::InvalidArgumentException(
           name + " was last measured " + text::decimal(seconds(now - measured->arrival), 1) +
           " s ago, and a trajectory needs to know where it is: at most " + text::decimal(seconds(job.oldest), 1) +
-          " s are allowed. Does joint_states still come?");
+          " s are allowed. Does joint_states still come, and is telemetry_rate above 0?");
     }
     if (planned) {
       start.push_back(*planned);

@@ -79,10 +79,9 @@ bool isTrajectoryOf(const MovementBook::Record& record, const std::vector<std::s
 }  // namespace
 
 Mover::Mover(const JointTable& table, const MeasuredJoints& measured, aibo_client::RcServerClient& client,
-             double approach_speed, std::function<bool()> telemetry_wanted, Clock clock)
+             double approach_speed, Clock clock)
     : table_(table),
       client_(client),
-      telemetry_wanted_(std::move(telemetry_wanted)),
       clock_(std::move(clock)),
       filter_(table, measured, approach_speed),
       plan_(table, measured),
@@ -174,11 +173,6 @@ Mover::Answer Mover::command(const Order& order, const std::vector<std::string>&
 Mover::Answer Mover::follow(const Order& order, const TrajectoryRequest& request, std::chrono::nanoseconds wait,
                             const Arrival& arrival) {
   const auto act = [&](Movement* movement) {
-    if (!telemetry_wanted_()) {
-      throw aibo_client::InvalidArgumentException(
-          "telemetry_rate is 0, so it is not known where the joints are. Set it above 0: rosrun dynamic_reconfigure "
-          "dynparam set NODE telemetry_rate 31.25");
-    }
     if (plan_.empty()) {
       advanced_ = order.received;
     }

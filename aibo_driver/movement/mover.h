@@ -89,9 +89,8 @@ class Mover {
 
   /// @param table, measured, client must outlive the mover
   /// @param approach_speed see JointCommandFilter
-  /// @param telemetry_wanted false if the robot is not asked to report its joints
   Mover(const JointTable& table, const MeasuredJoints& measured, aibo_client::RcServerClient& client,
-        double approach_speed, std::function<bool()> telemetry_wanted, Clock clock = std::chrono::steady_clock::now);
+        double approach_speed, Clock clock = std::chrono::steady_clock::now);
 
   Mover(const Mover&) = delete;
   Mover& operator=(const Mover&) = delete;
@@ -247,7 +246,6 @@ class Mover {
 
   const JointTable& table_;
   aibo_client::RcServerClient& client_;
-  const std::function<bool()> telemetry_wanted_;
   const Clock clock_;
   Listener listener_;
 

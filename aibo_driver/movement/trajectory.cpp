@@ -146,7 +146,8 @@ Point Trajectory::startingPoint(const JointTable& table, const std::vector<Start
     const auto found =
         std::find_if(start.begin(), start.end(), [joint](const Start& candidate) { return candidate.joint == joint; });
     if (found == start.end()) {
-      refuse("the position of " + table[joint].name + " has not been measured yet");
+      refuse("the position of " + table[joint].name +
+             " has not been measured yet: is the robot connected, and telemetry_rate above 0?");
     }
     from.positions.push_back(found->position);
     from.velocities.push_back(found->velocity);

@@ -77,7 +77,7 @@ class GoalWalksTest : public ::testing::Test {
   movement::JointTable table_{"ERS-7", 3.0};
   movement::MeasuredJoints measured_{table_};
   test_support::FakeClient client_;
-  movement::Mover mover_{table_, measured_, client_, 0.5, [] { return true; }, clock_};
+  movement::Mover mover_{table_, measured_, client_, 0.5, clock_};
   GoalWalks walks_{parameters_, client_, mover_,
                    [this] { return here_ ? std::make_optional(walk::inFrameOf(kOrigin, *here_)) : std::nullopt; },
                    clock_};

@@ -33,7 +33,7 @@ class JointCommanderTest : public ::testing::Test {
   test_support::FakeClient client_;
   movement::JointTable table_{"ERS-7", 6.0};
   movement::MeasuredJoints measured_{table_};
-  movement::Mover mover_{table_, measured_, client_, 0.5, [] { return true; }};
+  movement::Mover mover_{table_, measured_, client_, 0.5};
   JointCommander commander_{table_, mover_};
 };
 

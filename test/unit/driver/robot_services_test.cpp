@@ -82,7 +82,7 @@ class RobotServicesTest : public ::testing::Test {
   test_support::FakeClient client_;
   movement::JointTable table_{"ERS-7", 3.0};
   movement::MeasuredJoints measured_{table_};
-  movement::Mover mover_{table_, measured_, client_, 0.5, [] { return true; }};
+  movement::Mover mover_{table_, measured_, client_, 0.5};
   Services services_;
 };
 

@@ -80,7 +80,7 @@ class WalkCommanderTest : public ::testing::Test {
   movement::JointTable table_{"ERS-7", 3.0};
   movement::MeasuredJoints measured_{table_};
   const walk::WalkSettings settings_ = calibrated();
-  movement::Mover mover_{table_, measured_, client_, 0.5, [] { return true; }};
+  movement::Mover mover_{table_, measured_, client_, 0.5};
   WalkCommander commander_{settings_, client_, mover_};
 };
 

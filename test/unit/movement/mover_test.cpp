@@ -125,8 +125,7 @@ struct Robot {
   SteadyTime now{1000s};
   JointTable table{"ERS-7", 3.0};
   MeasuredJoints measured{table};
-  bool telemetry_wanted = true;
-  Mover mover{table, measured, client, 0.5, [this] { return telemetry_wanted; }, [this] { return now; }};
+  Mover mover{table, measured, client, 0.5, [this] { return now; }};
   std::uint64_t walk_order = 0;  // of the velocity that began the last walk
   std::vector<EndedMovement> told_ends;
   std::vector<std::string> warnings;
@@ -175,7 +174,7 @@ const std::map<std::string, std::function<void(Robot&)>> kEvents = {
     {"reconnected unnoticed", [](Robot& robot) { ++robot.client.connections; }},
     {"no robot", [](Robot& robot) { robot.client.problem = "there is no robot"; }},
     {"an ERS-210", [](Robot& robot) { robot.client.present.robot.design = "ERS-210"; }},
-    {"no telemetry", [](Robot& robot) { robot.telemetry_wanted = false; }},
+    {"no telemetry", [](Robot& robot) { robot.measured.clear(); }},
     {"time passes", [](Robot& robot) { robot.pass(600ms); }},
     {"fallen", [](Robot& robot) { robot.says(MotorState::kOn, PostureNow::kFallen); }},
     {"lifted", [](Robot& robot) { robot.says(MotorState::kOn, PostureNow::kCarried); }},
@@ -707,8 +706,8 @@ TEST(Trajectory, IsRefusedUnlessItsJointsAreMeasured) {
     EXPECT_THAT(textOf(robot.follow("head_pan", 0.5)), StartsWith(row.end));
   }
   Robot robot;
-  robot.telemetry_wanted = false;
-  EXPECT_THAT(textOf(robot.follow("head_pan", 0.5)), StartsWith("REFUSED telemetry_rate is 0"));
+  robot.measured.clear();
+  EXPECT_THAT(textOf(robot.follow("head_pan", 0.5)), HasSubstr("telemetry_rate above 0?"));
 }
 
 TEST_F(MoverTest, ATrajectorySaysWhereItWantsItsJointsAndWhenItEnds) {

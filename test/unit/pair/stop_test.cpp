@@ -159,7 +159,7 @@ class MovedRobot {
   std::map<MovementId, int> ends_;
   std::atomic<int> stopped_{0};
   RcServerClient client_{options(), callbacks()};
-  Mover mover_{table_, measured_, client_, kFastest, [] { return true; }};
+  Mover mover_{table_, measured_, client_, kFastest};
   std::atomic<bool> is_over_{false};
   std::future<void> ticker_ = std::async(std::launch::async, [this] {
     for (; !is_over_; std::this_thread::sleep_for(JointPlan::kPeriod)) {
