@@ -15,11 +15,7 @@ constexpr std::uint32_t kFootprintQueueSize = 100;
 FootprintPublisher::FootprintPublisher(const ros::NodeHandle& handle, const DriverParameters& parameters,
                                        const robot_model::RobotModel& model, const movement::JointTable& joint_table,
                                        const movement::MeasuredJoints& measured_joints, RobotStamper& stamper)
-    : parameters_(parameters),
-      measured_joints_(measured_joints),
-      stamper_(stamper),
-      accelerometer_(sensorOf(model, "acceleration_front_back"), sensorOf(model, "acceleration_right_left"),
-                     sensorOf(model, "acceleration_up_down")) {
+    : parameters_(parameters), measured_joints_(measured_joints), stamper_(stamper), accelerometer_(model) {
   for (std::size_t leg = 0; leg < walk::kLegs; ++leg) {
     for (std::size_t joint = 0; joint < leg_joints_[leg].size(); ++joint) {
       leg_joints_[leg][joint] = *joint_table.findByName(legJointName(leg, joint));

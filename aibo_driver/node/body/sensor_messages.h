@@ -83,10 +83,10 @@ class Accelerometer {
   using Message = sensor_msgs::Imu;
   static constexpr bool kRemembers = true;
 
-  /// The sensors must outlive the object; the tables of robot_model do.
-  Accelerometer(const robot_model::Sensor& front_back, const robot_model::Sensor& right_left,
-                const robot_model::Sensor& up_down)
-      : sensors_{&front_back, &right_left, &up_down} {}
+  /// @param model must outlive the object
+  explicit Accelerometer(const robot_model::RobotModel& model)
+      : sensors_{&sensorOf(model, "acceleration_front_back"), &sensorOf(model, "acceleration_right_left"),
+                 &sensorOf(model, "acceleration_up_down")} {}
 
   /// @return empty until there is a new value of each axis; a version 1 server sends the axes one by one
   std::optional<Message> read(const Telemetry& telemetry);

@@ -32,9 +32,7 @@ TelemetryPublishers::TelemetryPublishers(const ros::NodeHandle& handle, const Dr
     }
   }
   add("touch", kBaseFrame, TouchSensors(model));
-  add("imu/data_raw", "imu_link",
-      Accelerometer(sensorOf(model, "acceleration_front_back"), sensorOf(model, "acceleration_right_left"),
-                    sensorOf(model, "acceleration_up_down")));
+  add("imu/data_raw", "imu_link", Accelerometer(model));
 }
 
 void TelemetryPublishers::publish(const aibo_client::Telemetry& telemetry) {

@@ -87,8 +87,7 @@ TEST(RangeFinderTest, IsInfiniteOutOfRange) {
 
 class AccelerometerTest : public ::testing::Test {
  protected:
-  Accelerometer accelerometer_{sensorOf("acceleration_front_back"), sensorOf("acceleration_right_left"),
-                               sensorOf("acceleration_up_down")};
+  Accelerometer accelerometer_{ers7()};
 };
 
 // As Tekkotsu describes real robots, see sensor_messages.h: each posture makes one of Sony's values negative.
