@@ -102,12 +102,8 @@ auto Mover::change(const Work& work) {
 }
 
 void Mover::tell(std::unique_lock<std::mutex>* lock) {
-  const std::string warning = std::exchange(warning_, "");
   const std::vector<EndedMovement> ended = book_.takeNews();
   lock->unlock();
-  if (!warning.empty()) {
-    listener_.on_warning(warning);
-  }
   for (const EndedMovement& each : ended) {
     listener_.on_ended(each);
   }
@@ -156,7 +152,6 @@ Mover::Answer Mover::command(const Order& order, const std::vector<std::string>&
       filter_.startApproach();
       throw;
     }
-    warning_ = left_out;
     Record* const same = book_.findCommand(*movement);
     Record& record = same != nullptr ? *same : book_.begin(*movement);
     record.orders.insert(number);
@@ -165,7 +160,9 @@ Mover::Answer Mover::command(const Order& order, const std::vector<std::string>&
     book_.haltEach([&](const Record& each) { return isTrajectoryOf(each, movement->joints); },
                    {EndedHow::kReplaced, "a command moves its joints"});
     takeLegsFromWalks(*movement);
-    return answerOf(record);
+    Answer answer = answerOf(record);
+    answer.remark = left_out;
+    return answer;
   };
   return give(order, kind, "", names, act);
 }

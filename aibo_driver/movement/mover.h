@@ -58,7 +58,9 @@ class Mover {
     MovementId id = 0;
     std::shared_future<EndedMovement> end;  ///< becomes ready when the movement has ended
     bool is_uncertain = false;              ///< the robot has not said whether the movement begins; `end` will tell
-    std::string remark;  ///< the reason if is_uncertain; otherwise the result of RcServerClient::playMotion()
+    /// The reason if is_uncertain. Otherwise a sentence about the joints that a command leaves out, or the result of
+    /// RcServerClient::playMotion().
+    std::string remark;
 
     /// The end of the movement; null while it goes on.
     const EndedMovement* ended() const {
@@ -81,8 +83,6 @@ class Mover {
     std::function<void()> on_change = [] {};  ///< called after state() may have changed
     std::function<void()> on_begin = [] {};   ///< called when advance() has to be called from now on
     std::function<void(const EndedMovement&)> on_ended = [](const auto&) {};  ///< called for each end, in order
-    /// Called with a sentence about what was left out of an order.
-    std::function<void(const std::string& text)> on_warning = [](const auto&) {};
   };
 
   using Clock = std::function<SteadyTime()>;
@@ -253,7 +253,6 @@ class Mover {
   JointCommandFilter filter_;
   JointPlan plan_;
   MovementBook book_;
-  std::string warning_;  ///< calls of the listener that are still to be made
   std::optional<std::string> stopped_by_;
   SteadyTime overruled_;  ///< orders that were received before this time are refused
   std::string overruled_by_;

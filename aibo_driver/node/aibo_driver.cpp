@@ -321,7 +321,6 @@ movement::Mover::Listener AiboDriver::makeListener() {
       get_up_->ended(ended, std::chrono::steady_clock::now());
     }
   };
-  listener.on_warning = [this](const std::string& text) { movement_warnings_.warn(text); };
   return listener;
 }
 

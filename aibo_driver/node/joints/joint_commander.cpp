@@ -83,8 +83,16 @@ void JointCommander::subscribe(const ros::NodeHandle& handle) {
 
 void JointCommander::receive(const sensor_msgs::JointState& message, const movement::Order& order) {
   sendCollected();  // the collected positions came before this message
-  mover_.command(order, message.name, message.position, message.velocity,
-                 message.header.frame_id == kLookAt ? Kind::kLookAt : Kind::kCommand);
+  command(message, order);
+}
+
+void JointCommander::command(const sensor_msgs::JointState& message, const movement::Order& order) {
+  const movement::Mover::Answer answer =
+      mover_.command(order, message.name, message.position, message.velocity,
+                     message.header.frame_id == kLookAt ? Kind::kLookAt : Kind::kCommand);
+  if (!answer.remark.empty()) {
+    warnings_.warn(answer.remark);
+  }
 }
 
 void JointCommander::receive(const trajectory_msgs::JointTrajectory& message, const movement::Order& order) {
@@ -121,8 +129,7 @@ void JointCommander::receivePosition(const std::string& joint, double position, 
 
 void JointCommander::sendCollected() {
   if (!collected_.name.empty()) {
-    const sensor_msgs::JointState message = std::exchange(collected_, {});
-    mover_.command(collected_order_, message.name, message.position, {});
+    command(std::exchange(collected_, {}), collected_order_);
   }
 }
 

@@ -64,6 +64,7 @@ class JointCommander {
   void receivePosition(const std::string& joint, double position, const movement::Order& order);
 
  private:
+  void command(const sensor_msgs::JointState& message, const movement::Order& order);
   void sendCollected();
 
   const movement::JointTable& table_;
