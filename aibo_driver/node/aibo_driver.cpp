@@ -307,7 +307,7 @@ void AiboDriver::refused(const aibo_client::Refusal& refusal) {
   mover_.refused(refusal);
   if (refusal.request == Request::kSpeedLimits || refusal.request == Request::kLeds ||
       refusal.request == Request::kEars || refusal.request == Request::kMicrophone) {
-    movement_warnings_.warn("A request was not carried out: " + text::sentence(refusal.reason));
+    warnings_.warn("A request was not carried out: " + text::sentence(refusal.reason));
   }
 }
 
@@ -332,16 +332,16 @@ void AiboDriver::logEnd(const movement::EndedMovement& ended) {
   const bool is_as_ever = ended.how == EndedHow::kUnknown && (is_command || ended.movement.kind == Kind::kMotion);
   const std::string name = "The " + movement::describe(ended.movement);
   if (ended.how == EndedHow::kRefused) {
-    movement_warnings_.warn(name + " is refused: " + text::sentence(ended.reason));
+    warnings_.warn(name + " is refused: " + text::sentence(ended.reason));
   } else if (ended.how == EndedHow::kDone || is_as_ever || (is_command && is_meant)) {
     ROS_DEBUG_STREAM_NAMED("joints", name << " has ended. " << ended.reason);
   } else {
-    movement_warnings_.warn(name + " ends early: " + text::sentence(ended.reason));
+    warnings_.warn(name + " ends early: " + text::sentence(ended.reason));
   }
 }
 
-std::optional<int> AiboDriver::askedEveryNthImage() const {
-  return client_.streaming() ? std::optional<int>(client_.streamFormat().every_nth_image) : std::nullopt;
+int AiboDriver::askedEveryNthImage() const {
+  return client_.streaming() ? client_.streamFormat().every_nth_image : 0;
 }
 
 void AiboDriver::publishPicture(const aibo_client::Picture& picture) {
@@ -352,13 +352,13 @@ void AiboDriver::publishPicture(const aibo_client::Picture& picture) {
     raw_images_.publish(message);
   }
   const auto now = std::chrono::steady_clock::now();
-  meter_.add(picture, (ros::Time::now() - stamp).toSec(), askedEveryNthImage().value_or(0), now);
+  meter_.add(picture, (ros::Time::now() - stamp).toSec(), askedEveryNthImage(), now);
   adapter_.picturePublished(now, taken);
 }
 
 void AiboDriver::report() {
-  const std::optional<int> every_nth = askedEveryNthImage();
-  const double asked_rate = every_nth ? camera::frameRateOf(*every_nth) : 0;
+  const int every_nth = askedEveryNthImage();
+  const double asked_rate = every_nth > 0 ? camera::frameRateOf(every_nth) : 0;
   const camera::LinkMeter::Reading reading = meter_.read(std::chrono::steady_clock::now(), asked_rate);
   if (link_quality_.getNumSubscribers() > 0) {
     link_quality_.publish(linkQuality(reading, asked_rate, client_.status()));
@@ -400,8 +400,8 @@ void AiboDriver::updateConnection(const aibo_client::ConnectionStatus& status) {
   }
   if (!status.robot.design.empty() && status.robot.design != parameters_.robot) {
     // The robot can change its status as often as it likes, so the warning is limited.
-    design_warnings_.warn("The robot says that it is an " + status.robot.design + ", but the parameter robot is " +
-                          parameters_.robot + ": commands are refused. Set the parameter, and start the driver again.");
+    warnings_.warn("The robot says that it is an " + status.robot.design + ", but the parameter robot is " +
+                   parameters_.robot + ": commands are refused. Set the parameter, and start the driver again.");
   }
 }
 

@@ -81,8 +81,8 @@ class AiboDriver {
   /// Publishes link_quality and the diagnostics.
   void report();
 
-  /// The robot is asked for every nth image. The result is empty while the stream is off.
-  std::optional<int> askedEveryNthImage() const;
+  /// The robot is asked for every nth image; 0 while the stream is off.
+  int askedEveryNthImage() const;
 
   void publishTelemetry(const aibo_client::Telemetry& telemetry);
   void publishStreaming(bool streaming);
@@ -122,12 +122,12 @@ class AiboDriver {
                                                  &stick_thread_, &sound_thread_, &pool_};
 
   // The client's callbacks need these members.
+  text::ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
   robot_time::RobotClock robot_clock_;
   RobotStamper telemetry_stamper_;
   movement::JointTable joint_table_;
   movement::MeasuredJoints measured_joints_;
   PowerStatus power_;
-  text::ThrottledWarnings design_warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
   camera::LinkMeter meter_;
   camera::StreamPolicy policy_;
   const std::string settings_namespace_;
@@ -152,7 +152,6 @@ class AiboDriver {
   camera::StreamAdapter adapter_;
   ros::Publisher link_quality_;
   LiveSettings settings_;
-  text::ThrottledWarnings movement_warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
   movement::Mover mover_;
   StopMemory stop_memory_;
   MotionStatePublisher motion_state_;

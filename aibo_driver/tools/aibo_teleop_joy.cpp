@@ -20,7 +20,6 @@
 #include <string>
 
 #include "node/node.h"
-#include "node/node.h"
 #include "tools/program.h"
 #include "tools/teleop/joy_steering.h"
 #include "tools/teleop/teleop_node.h"
