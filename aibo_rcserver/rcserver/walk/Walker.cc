@@ -320,15 +320,9 @@ bool Walker::TakeSoftened() {
 }
 
 Posture Walker::Now(const int* positions) const {
-  switch (fall_watch_.Now()) {
-    case FallWatch::ON_LEFT_SIDE:
-    case FallWatch::ON_RIGHT_SIDE:
-    case FallWatch::UPSIDE_DOWN:
-      return POSTURE_FALLEN;
-    case FallWatch::CARRIED:
-      return POSTURE_CARRIED;
-    case FallWatch::UPRIGHT:
-      break;
+  const FallWatch::Verdict fall = fall_watch_.Now();
+  if (fall != FallWatch::UPRIGHT) {
+    return fall == FallWatch::CARRIED ? POSTURE_CARRIED : POSTURE_FALLEN;
   }
   if (activity_ == WALKING || !CanWalk()) {
     return CanWalk() ? POSTURE_WALK : POSTURE_UNKNOWN;
