@@ -8,36 +8,27 @@ namespace protocol {
 
 namespace {
 
+bool isOneOf(const char* letters, char letter) {
+  return letter != '\0' && strchr(letters, letter) != NULL;
+}
+
 bool hasTwoSizes(char letter) {
-  return letter == REQUEST_JOINT || letter == REQUEST_SENSOR || letter == REQUEST_MAX_VELOCITY ||
-         letter == REQUEST_MAX_ACCELERATION;
+  return isOneOf("JSVA", letter);
 }
 
 bool isFollowedByContent(char letter) {
-  return letter == REQUEST_UPLOAD_MOTION || letter == REQUEST_UPLOAD_OBJECT;
+  return isOneOf("UC", letter);
 }
 
 // The size of requests with this letter, or 0.
 size_t sizeOf(char letter) {
-  switch (letter) {
-    case REQUEST_PICTURE:
-    case REQUEST_STREAM_TOGGLE:
-    case REQUEST_NEWER_VERSION:
-      return BASIC_COMMAND_SIZE;
-    case REQUEST_LED:
-    case REQUEST_FACE_LEDS:
-    case REQUEST_EARS:
-    case REQUEST_SHUT_DOWN:
-    case REQUEST_REBOOT:
-      return VALUE_REQUEST_SIZE;
-    case REQUEST_UPLOAD_MOTION:
-    case REQUEST_DELETE_MOTION:
-    case REQUEST_PLAY_MOTION:
-    case REQUEST_UPLOAD_OBJECT:
-      return FILE_REQUEST_SIZE;
-    default:
-      return 0;
+  if (isOneOf("FWX", letter)) {
+    return BASIC_COMMAND_SIZE;
   }
+  if (isOneOf("LYKQR", letter)) {
+    return VALUE_REQUEST_SIZE;
+  }
+  return isOneOf("UDPC", letter) ? FILE_REQUEST_SIZE : 0;
 }
 
 }  // namespace
