@@ -13,16 +13,12 @@ double WholeThousandths(double value) {
   return static_cast<int>(value * 1000 + (value < 0 ? -1e-6 : 1e-6)) * 1e-3;
 }
 
-const char* WordsFor(JointWatch::Verdict fault) {
-  switch (fault) {
-    case JointWatch::JAMMED:
-      return "is jammed: its motor pushes, but it does not move. It is held in place until the next command to it";
-    case JointWatch::LIMP:
-      return "is limp: its motor got no gain. Switch the motors off and on again; the robot's console has the reason";
-    default:
-      return "does not follow its commands. It is held in place until the next command to it";
-  }
-}
+// In the order of JointWatch::Verdict.
+const char* const FAULTS[] = {
+    "follows its commands",
+    "is jammed: its motor pushes, but it does not move. It is held in place until the next command to it",
+    "does not follow its commands. It is held in place until the next command to it",
+    "is limp: its motor got no gain. Switch the motors off and on again; the robot's console has the reason"};
 
 }  // namespace
 
@@ -231,7 +227,7 @@ void MoveRequests::PushJointFaults() {
     const JointWatch::Verdict fault = robot_.joints.TakeFault(i);
     if (fault != JointWatch::FOLLOWS) {
       char text[MAX_ERROR_TEXT_SIZE];
-      sprintf(text, "%s %s", robot_.joints.Name(i), WordsFor(fault));
+      sprintf(text, "%s %s", robot_.joints.Name(i), FAULTS[fault]);
       exchange_.PushError(CODE_JOINT_FAULT, text);
     }
   }

@@ -38,18 +38,10 @@ void FallWatch::Look(const Reading& reading, bool stands, unsigned frame) {
 }
 
 const char* FallWatch::Words(Verdict verdict) {
-  switch (verdict) {
-    case ON_LEFT_SIDE:
-      return "the robot lies on its left side";
-    case ON_RIGHT_SIDE:
-      return "the robot lies on its right side";
-    case UPSIDE_DOWN:
-      return "the robot lies on its back";
-    case CARRIED:
-      return "the robot is carried: none of its paws touches the floor";
-    default:
-      return NULL;
-  }
+  static const char* const WORDS[] = {NULL, "the robot lies on its left side", "the robot lies on its right side",
+                                      "the robot lies on its back",
+                                      "the robot is carried: none of its paws touches the floor"};
+  return WORDS[verdict];
 }
 
 FallWatch::Verdict FallWatch::Judge(const Reading& reading, bool stands) {
