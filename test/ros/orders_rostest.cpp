@@ -1,15 +1,11 @@
 // Orders to the joints: which of them move the robot, at which speeds, and how they end.
 
-#include <aibo_driver/MotionState.h>
 #include <aibo_driver/PlayMotion.h>
 #include <aibo_driver/RobotState.h>
-#include <geometry_msgs/Twist.h>
-#include <gmock/gmock.h>
-#include <ros/ros.h>
 #include <std_msgs/Float64.h>
 #include <std_srvs/Trigger.h>
-#include <trajectory_msgs/JointTrajectory.h>
 
+#include <array>
 #include <csignal>
 #include <future>
 
@@ -24,15 +20,11 @@ using aibo_driver::Movement;
 using aibo_driver::PlayMotion;
 using aibo_driver::RobotState;
 using geometry_msgs::Twist;
-using sensor_msgs::JointState;
 using std::chrono::milliseconds;
 using std_srvs::Trigger;
 using test_support::command;
 using test_support::DriverUser;
 using test_support::JointUser;
-using test_support::kQuick;
-using test_support::lastEnd;
-using test_support::Posture;
 using test_support::TopicListener;
 using test_support::trajectory;
 using trajectory_msgs::JointTrajectory;
@@ -44,31 +36,20 @@ constexpr double kStill = 0.02;  // rad
 class OrderUser : public JointUser {
  public:
   explicit OrderUser(const std::string& name_space, const std::vector<std::string>& robot_options = {},
-                     const std::vector<std::string>& parameters = kQuick)
+                     const std::vector<std::string>& parameters = test_support::kQuick)
       : JointUser(name_space, parameters, robot_options),
         states(name_space + "/motion_state"),
         robot_states(name_space + "/robot_state") {}
 
-  // The longest way of any joint in the next time.
+  // The longest way in the next time of a joint that is commanded here.
   double wayWithin(milliseconds time) {
-    const ros::Time begin = ros::Time::now();
-    const auto is_later = [&begin](const JointState& message) { return message.header.stamp >= begin; };
-    joints.messages().clear();
+    const auto positions = [this] {
+      return std::array{joints.position("head_pan"), joints.position("neck_tilt"), joints.position("tail_pan")};
+    };
+    const auto before = positions();
     std::this_thread::sleep_for(time);  // the time is what is tested
-    EXPECT_TRUE(joints.messages().waitFor(is_later));
-    std::map<std::string, std::pair<double, double>> ranges;
-    for (const auto& message : joints.messages().waitForCount(1)) {
-      for (std::size_t i = 0; is_later(*message) && i < message->name.size(); ++i) {
-        auto [range, is_new] = ranges.try_emplace(message->name[i], message->position[i], message->position[i]);
-        range->second.first = std::min(range->second.first, message->position[i]);
-        range->second.second = std::max(range->second.second, message->position[i]);
-      }
-    }
-    double longest = 0;
-    for (const auto& range : ranges) {
-      longest = std::max(longest, range.second.second - range.second.first);
-    }
-    return longest;
+    const auto after = positions();
+    return std::max({std::abs(after[0] - before[0]), std::abs(after[1] - before[1]), std::abs(after[2] - before[2])});
   }
 
   // Braking takes its time, and a computer that is busy takes longer.
@@ -108,7 +89,9 @@ TEST_P(OrdersTest, NothingMovesTheRobotBetweenStopAndRelease) {
   OrderUser user(nameSpace("latch"), options());
   ASSERT_TRUE(user.becomesTrue([&user] {
     user.publish("joint_trajectory", trajectory({{"head_pan", 1.4}}, 14.0));
-    return user.waitForPanBeyond(0.1, std::chrono::seconds(5));
+    return user.joints.messages().waitFor(
+               [](const auto& state) { return test_support::positionOf(state, "head_pan") > 0.1; },
+               std::chrono::seconds(5)) != nullptr;
   }));
   EXPECT_TRUE(user.call<Trigger>("stop").success);
   EXPECT_TRUE(user.robot_states.waitFor(
@@ -128,11 +111,11 @@ TEST_P(OrdersTest, NothingMovesTheRobotBetweenStopAndRelease) {
 
 // Orders wait in the sockets of a driver that is frozen. Afterwards, none of them reaches the robot.
 void expectOldOrdersToBeRefused(DriverUser* user, TopicListener<MotionState>* states) {
-  user->publisherOf<JointState>("joint_command");
+  user->publisherOf<sensor_msgs::JointState>("joint_command");
   user->publisherOf<JointTrajectory>("joint_trajectory");
   user->publisherOf<Twist>("cmd_vel");
   for (const int freeze : {600, 1000, 3000}) {
-    const std::uint64_t newest = lastEnd(*states->waitForCount(1).back()).movement.order;
+    const std::uint64_t newest = test_support::lastEnd(*states->waitForCount(1).back()).movement.order;
     user->driver.signal(SIGSTOP);
     std::this_thread::sleep_for(milliseconds(50));
     user->publish("joint_command", command({{"head_pan", 0.5}}));
@@ -162,29 +145,6 @@ TEST_P(OrdersTest, ThatWaitedWhileTheDriverWasFrozenDoNotMoveTheRobot) {
   expectOldOrdersToBeRefused(&unmeasured, &states);
 }
 
-TEST(Orders, AreRefusedWithoutMotors) {
-  OrderUser user("/limp");
-  EXPECT_TRUE(user.setMotors(false).success);
-  user.publish("joint_command", command({{"head_pan", 0.5}}));
-  EXPECT_TRUE(user.waitForEnd(Movement::COMMAND, EndedMovement::REFUSED));
-  EXPECT_TRUE(user.setMotors(true).success);
-  EXPECT_TRUE(user.reaches({{"head_pan", 0.5}}, "joint_command", command({{"head_pan", 0.5}})));
-}
-
-TEST(Orders, AreLostWithTheConnectionAndNotResumedOverTheNextOne) {
-  OrderUser user("/cut_off");
-  ASSERT_TRUE(user.becomesTrue([&user] {
-    user.publish("joint_trajectory", trajectory({{"head_pan", 1.4}}, 14.0));
-    return user.waitForPanBeyond(0.1, std::chrono::seconds(5));
-  }));
-  user.connection.clear();
-  user.proxy.endConnections(test_support::Action::kClose);
-  EXPECT_TRUE(user.waitForConnection(aibo_driver::Connection::CONNECTED));
-  EXPECT_TRUE(user.waitForEnd(Movement::TRAJECTORY, EndedMovement::LOST));
-  EXPECT_TRUE(user.comesToRest());
-  EXPECT_LT(user.joints.position("head_pan"), 1.2);
-}
-
 // A call of play_motion that is not answered ends after 2 s. A computer that is so slow gets another chance.
 TEST(StopAndMotors, WaitForNoOtherCall) {
   bool overtake = false;
@@ -210,7 +170,7 @@ constexpr double kSpeedTolerance = 0.12;  // rad/s
 
 // Each joint at another fraction between its limits. From 0.5 to 0.7 no part of the body is in the way of another.
 TEST(PositionControllers, MoveEveryJoint) {
-  Posture posture;
+  test_support::Posture posture;
   const robot_model::RobotModel& ers7 = *robot_model::findRobotModel("ERS-7");
   for (int i = 0; i < ers7.number_of_joints; ++i) {
     const robot_model::Joint& joint = ers7.joints[i];
@@ -225,18 +185,6 @@ TEST(PositionControllers, MoveEveryJoint) {
       user.publish(joint + "_position_controller/command", message);
     }
   }));
-}
-
-TEST(JointTrajectory, IsFollowedAlsoWhileNobodyListensToTheJoints) {
-  DriverUser deaf("/unheard", kQuick);
-  TopicListener<MotionState> states("/unheard/motion_state");
-  const auto is_done = [](const MotionState& state) { return lastEnd(state).how == EndedMovement::DONE; };
-  bool is_there = false;
-  for (int seconds = 1; seconds <= 9 && !is_there; ++seconds) {  // again, until the robot has reported its joints
-    deaf.publish("joint_trajectory", trajectory({{"head_pan", 0.3}}, 0.5));
-    is_there = states.waitFor(is_done, std::chrono::seconds(seconds)) != nullptr;
-  }
-  EXPECT_TRUE(is_there);
 }
 
 TEST(SpeedLimits, OfTheParametersAreThoseOfCommandsAndMotions) {

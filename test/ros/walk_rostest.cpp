@@ -2,11 +2,8 @@
 
 #include <aibo_driver/EndedMovement.h>
 #include <aibo_driver/GoToAction.h>
-#include <aibo_driver/MotionState.h>
 #include <aibo_driver/TakePostureAction.h>
-#include <gmock/gmock.h>
 #include <nav_msgs/Odometry.h>
-#include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 #include <tf2_msgs/TFMessage.h>
 
@@ -18,26 +15,19 @@
 namespace {
 
 using aibo_driver::EndedMovement;
-using aibo_driver::GoToAction;
 using aibo_driver::MotionState;
 using aibo_driver::Movement;
-using aibo_driver::TakePostureAction;
 using nav_msgs::Odometry;
-using std_srvs::Trigger;
-using test_support::GoalWatch;
 using test_support::JointUser;
-using test_support::kQuick;
-using test_support::kSafetyNet;
 using test_support::lastEnd;
 using test_support::TopicListener;
-using ::testing::AnyOf;
 using State = actionlib::TerminalState;
-using Going = GoalWatch<GoToAction>;
-using Taking = GoalWatch<TakePostureAction>;
+using Going = test_support::GoalWatch<aibo_driver::GoToAction>;
+using Taking = test_support::GoalWatch<aibo_driver::TakePostureAction>;
 
 // Parameters of a driver in whose namespace tf is, because all tests share a master.
 std::vector<std::string> quickWith(const std::string& name_space, std::vector<std::string> more = {}) {
-  more.insert(more.end(), kQuick.begin(), kQuick.end());
+  more.insert(more.end(), test_support::kQuick.begin(), test_support::kQuick.end());
   more.push_back("/tf:=" + name_space + "/tf");
   return more;
 }
@@ -82,9 +72,9 @@ class Walker : public JointUser {
 };
 
 TEST(Walk, GoesWithTheVelocityAndStopsWhenNoneComes) {
-  Walker walker("/walk");
+  Walker walker("/walk", {"_cmd_vel_timeout:=0.3"});
   TopicListener<tf2_msgs::TFMessage> tf("/walk/tf");
-  ASSERT_TRUE(walker.call<Trigger>("stand").success);
+  ASSERT_TRUE(walker.call<std_srvs::Trigger>("stand").success);
   ASSERT_TRUE(walker.walks(0.1));
   const auto odom = walker.odom.waitFor([](const Odometry& each) { return each.pose.pose.position.x > 0.1; });
   ASSERT_TRUE(odom);
@@ -101,20 +91,9 @@ TEST(Walk, GoesWithTheVelocityAndStopsWhenNoneComes) {
   const auto end = walker.waitForEnd();
   ASSERT_TRUE(end);
   EXPECT_EQ(lastEnd(*end).how, EndedMovement::STOPPED);
-  // The driver and the robot watch, for the same time.
-  EXPECT_THAT(lastEnd(*end).reason, AnyOf("no cmd_vel came for 0.5 s", "it was not steered for 500 ms"));
+  // If this computer stalls the driver, the robot is first.
+  EXPECT_THAT(lastEnd(*end).reason, testing::AnyOf("no cmd_vel came for 0.3 s", "it was not steered for 500 ms"));
   EXPECT_TRUE(walker.stands());
-}
-
-// If this computer stalls the driver, the robot is first, after 0.5 s.
-TEST(Walk, IsStoppedByTheDriverAfterTheTimeOfTheParameter) {
-  Walker walker("/short", {"_cmd_vel_timeout:=0.2"});
-  EXPECT_TRUE(walker.becomesTrue([&walker] {
-    EXPECT_TRUE(walker.walks(0.1));
-    walker.letGo();
-    const auto end = walker.waitForEnd();
-    return end && lastEnd(*end).reason == "no cmd_vel came for 0.2 s";
-  }));
 }
 
 // It walks back over the edge of a table. What makes it stand up is in the unit tests.
@@ -183,25 +162,13 @@ class GoalUser : public JointUser {
       : JointUser(name_space, {"_stream_on_start:=false"}),
         go_to(name_space + "/go_to"),
         take_posture(name_space + "/take_posture"),
-        odom(name_space + "/odom"),
         state(name_space + "/motion_state") {
     EXPECT_TRUE(go_to.waitForActionServerToStart(ros::Duration(60)));
     EXPECT_TRUE(take_posture.waitForActionServerToStart(ros::Duration(60)));
   }
 
-  bool isAt(double x, double y, double yaw) {
-    odom.clear();
-    const auto is_there = [=](const Odometry& each) {
-      const auto& pose = each.pose.pose;
-      const double turn = std::remainder(2 * std::atan2(pose.orientation.z, pose.orientation.w) - yaw, 2 * M_PI);
-      return std::hypot(pose.position.x - x, pose.position.y - y) < 0.05 && std::abs(turn) < 0.1;
-    };
-    return odom.waitFor(is_there) != nullptr;
-  }
-
   Going::Client go_to;
   Taking::Client take_posture;
-  TopicListener<Odometry> odom;
   TopicListener<MotionState> state;
 };
 
@@ -210,7 +177,6 @@ TEST(Goal, SucceedsWhenTheRobotIsThere) {
   GoalUser user("/goes");
   EXPECT_TRUE(
       user.becomesTrue([&user] { return Going(user.go_to, goalAt(0.35, 0.1, 1.5)).waitForEnd() == State::SUCCEEDED; }));
-  EXPECT_TRUE(user.isAt(0.35, 0.1, 1.5));
 }
 
 TEST(Goal, SaysWhatIsLeftAndIsPreemptedWhenItIsCancelled) {
@@ -226,15 +192,11 @@ TEST(Goal, SaysWhatIsLeftAndIsPreemptedWhenItIsCancelled) {
   })) << "motion_state says the same";
 }
 
-TEST(TakePosture, SucceedsWhenTheRobotHasTakenItAndIsPreemptedWhenItIsCancelled) {
+TEST(TakePosture, SucceedsWhenTheRobotHasTakenIt) {
   GoalUser user("/takes");
   const auto sits = Taking::begin(user.take_posture, postureOf("sit"));
   EXPECT_EQ(sits->waitForEnd(), State::SUCCEEDED);
   EXPECT_EQ(sits->result()->end, EndedMovement::DONE);
-  const auto stands = Taking::begin(user.take_posture, postureOf("stand"));
-  stands->cancel();
-  EXPECT_EQ(stands->waitForEnd(), State::PREEMPTED);
-  EXPECT_EQ(stands->result()->end, EndedMovement::STOPPED);
   Taking wrong(user.take_posture, postureOf("dance"));
   EXPECT_EQ(wrong.waitForEnd(), State::REJECTED);
 }

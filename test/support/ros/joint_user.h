@@ -53,13 +53,6 @@ class JointUser : public DriverUser {
     return reaches(posture, [&] { publish(topic, message); });
   }
 
-  bool waitForPanBeyond(double position, std::chrono::milliseconds timeout = kSafetyNet) {
-    const auto isBeyond = [position](const sensor_msgs::JointState& state) {
-      return positionOf(state, "head_pan").value_or(position) > position;
-    };
-    return joints.messages().waitFor(isBeyond, timeout) != nullptr;
-  }
-
   JointListener joints;
 };
 
