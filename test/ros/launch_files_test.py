@@ -143,7 +143,6 @@ class LaunchFilesTest(unittest.TestCase):
                 **without(demo, 'room'), '/aibo_rcserver': r"--port 1 --console-port 2 --images '/Anna'\''s b'"}),
             ('demo.launch', {'on_table': True}, {
                 **demo, '/aibo_rcserver': '--port 54321 --console-port 59000 --on-table'}),
-            ('diagnostics.launch', {}, {'/diagnostic_aggregator': ''}),
             ('fleet.launch', {'left': 'h', 'right': 'i', 'rviz': True}, {
                 **of_left(driver), **{name.replace('/aibo/', '/right/'): '' for name in driver},
                 '/fleet/robot_state_publisher': '', '/fleet/rviz': "-d '%s'" % (PROJECT / 'rviz/fleet.rviz')}),

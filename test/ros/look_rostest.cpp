@@ -5,7 +5,6 @@
 #include <aibo_driver/Leds.h>
 #include <aibo_driver/LookAtResult.h>
 #include <geometry_msgs/PointStamped.h>
-#include <gmock/gmock.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 #include <visualization_msgs/MarkerArray.h>
@@ -114,7 +113,6 @@ TEST(LookAt, TurnsTheCameraToPointsInAnyFrame) {
 // that is slow gets another chance.
 TEST(LookAt, KnowsWhereTheCameraWasWhenItTookThePicture) {
   LookUser user("/look");
-  TopicListener<aibo_driver::MotionState> motion("/look/motion_state");
   EXPECT_TRUE(user.becomesTrue([&] {
     EXPECT_TRUE(user.turnsTo(point("base_link", 1, 0.5, 0.1)));
     PointStamped clicked = point("camera_optical_frame", 0.1, 0.05, 1);
@@ -127,10 +125,6 @@ TEST(LookAt, KnowsWhereTheCameraWasWhenItTookThePicture) {
     user.publish("look_at", clicked);
     return user.seesInItsMiddle(point("base_link", place->x(), place->y(), place->z()), std::chrono::seconds(5));
   }));
-  EXPECT_TRUE(motion.waitFor([](const aibo_driver::MotionState& state) {
-    return !state.movements.empty() && state.movements[0].kind == aibo_driver::Movement::LOOK_AT &&
-           state.movements[0].source == "/look/aibo_look_at";
-  })) << "it is told from other commands";
 }
 
 TEST(LookAt, TurnsAsFarAsItCanAndSaysSo) {
@@ -140,17 +134,6 @@ TEST(LookAt, TurnsAsFarAsItCanAndSaysSo) {
   EXPECT_TRUE(result.moves);
   EXPECT_GT(result.error, 0.5);
   EXPECT_THAT(result.message, HasSubstr(" be " + std::to_string(std::lround(result.error * 180 / M_PI)) + " degrees"));
-  const std::tuple<double, double, bool> edges[] = {// degrees to the left and up, and whether it reaches that
-                                                    {87, 0, true},
-                                                    {0, -69, true},
-                                                    {90, 0, false},
-                                                    {0, -72, false}};
-  for (const auto& [left, up, reaches] : edges) {
-    const Eigen::Vector3d way = Eigen::AngleAxisd(left * M_PI / 180, Eigen::Vector3d::UnitZ()) *
-                                Eigen::AngleAxisd(-up * M_PI / 180, Eigen::Vector3d::UnitY()) *
-                                Eigen::Vector3d(100, 0, 0);
-    user.lookAt(point("base_link", way.x(), way.y(), way.z()), reaches ? "turns to the point" : "out of reach");
-  }
 }
 
 TEST(LookAt, SaysWhyItKnowsNoPlaceOfAPoint) {

@@ -228,7 +228,6 @@ TEST(Programs, HaveAHelpAndRefuseOtherArguments) {
 TEST(Node, EndsWithAnErrorThatSaysWhatIsWrongWithAParameter) {
   const std::pair<const char*, const char*> rows[] = {
       {"_jpeg_quality:=101", "/jpeg_quality is 101; it must be a whole number, 1\\.\\.100"},
-      {"_host:=robot:54321", "host is 'robot:54321', but has to be the robot's name or address alone"},
       {"_color_tables:=pink_ball no_such_table", "color_tables names the table 'no_such_table'"},
       {"host:=192.168.1.20", "a parameter has an underscore"},
   };

@@ -1,12 +1,8 @@
 // The programs that steer, or that move the robot by themselves, while somebody has stopped it. The driver is a fake.
 
-#include <aibo_driver/Connection.h>
 #include <aibo_driver/LookAtResult.h>
-#include <aibo_driver/RobotState.h>
 #include <geometry_msgs/PointStamped.h>
-#include <geometry_msgs/Twist.h>
 #include <gmock/gmock.h>
-#include <ros/ros.h>
 #include <sensor_msgs/CompressedImage.h>
 
 #include "support/ros/driver_user.h"
@@ -14,7 +10,6 @@
 
 namespace {
 
-using aibo_driver::LookAtResult;
 using aibo_driver::Movement;
 using aibo_driver::RobotState;
 using geometry_msgs::Twist;
@@ -24,7 +19,6 @@ using test_support::kSafetyNet;
 using test_support::Process;
 using test_support::TopicListener;
 using test_support::TopicPublishers;
-using ::testing::HasSubstr;
 
 // It follows the ball with the head, or walks after it.
 class FollowBall : public ::testing::Test {
@@ -174,7 +168,7 @@ TEST(FollowTheBall, BeginsOnlyWhenTheDriverHasToldWhatMovesTheRobot) {
 
 TEST(LookAt, SaysWhyTheHeadDoesNotTurn) {
   FakeDriver driver("/stares");
-  TopicListener<LookAtResult> results("/stares/look_at_result");
+  TopicListener<aibo_driver::LookAtResult> results("/stares/look_at_result");
   TopicPublishers user("/stares");
   const Process node({AIBO_LOOK_AT, "__ns:=/stares"});
   geometry_msgs::PointStamped point;
@@ -199,8 +193,8 @@ TEST(LookAt, SaysWhyTheHeadDoesNotTurn) {
 TEST(Monitor, WithoutADriverEndsAfterItsTimeAndSaysThatNoPictureCame) {
   Process monitor({AIBO_MONITOR, "__ns:=/nobody", "_first_picture_timeout:=1"});
   EXPECT_EQ(monitor.waitForExit(kSafetyNet), 1);
-  EXPECT_THAT(monitor.output(), HasSubstr("no driver in namespace /nobody"));
-  EXPECT_THAT(monitor.output(), HasSubstr("no picture came within 1 s"));
+  EXPECT_THAT(monitor.output(), testing::HasSubstr("no driver in namespace /nobody"));
+  EXPECT_THAT(monitor.output(), testing::HasSubstr("no picture came within 1 s"));
 }
 
 TEST(Monitor, SaysWhyNoPicturesComeAndWhoHasStoppedTheRobot) {

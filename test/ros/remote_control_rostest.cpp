@@ -30,7 +30,6 @@
 namespace {
 
 using aibo_driver::Connection;
-using aibo_driver::remote_control::AxisPad;
 using aibo_driver::remote_control::RemoteControl;
 using aibo_driver::remote_control::RosRobot;
 using test_support::DriverProcess;
@@ -133,7 +132,7 @@ TEST_F(RemoteControlRosTest, CommandsTheRobot) {
   ASSERT_TRUE(user_.waitFor([this] { return user_.find<QWidget>("thumbnail")->isEnabled(); }));
   EXPECT_EQ(QImage(user_.textOf("path")).size(), QSize(208, 160));
 
-  auto* pad = user_.find<AxisPad>("drive_pad");
+  auto* pad = user_.find<aibo_driver::remote_control::AxisPad>("drive_pad");
   QTest::mousePress(pad, Qt::LeftButton, {}, QPoint(pad->width() / 2, pad->height() / 4));
   EXPECT_TRUE(user_.waitForText("movement", "(walk)"));
   QTest::mouseRelease(pad, Qt::LeftButton);
@@ -183,10 +182,6 @@ TEST_F(RemoteControlRosTest, CommandsTheRobot) {
 
   EXPECT_TRUE(user_.click("stop", "stop: "));
   EXPECT_TRUE(user_.waitFor([this] { return user_.find<QAbstractButton>("stop")->text() == "Release"; }));
-  EXPECT_FALSE(pad->isEnabled());
-  QTest::qWait(1100);  // sooner it stops once more
-  EXPECT_TRUE(user_.click("stop", "release: "));
-  EXPECT_TRUE(user_.waitFor([pad] { return pad->isEnabled(); }));
 }
 
 // The camera is the nominal one.
@@ -232,7 +227,7 @@ TEST_F(RemoteControlRosTest, StopsAsOftenAsItIsAskedToWhileTheMasterHangsOrIsDea
   user_.open("Motions");
   ASSERT_TRUE(user_.waitForText("movement", "Now: "));
   user_.open("Move");
-  auto* pad = user_.find<AxisPad>("drive_pad");
+  auto* pad = user_.find<aibo_driver::remote_control::AxisPad>("drive_pad");
   for (const auto& [begin, end] : troubles) {
     QTest::mousePress(pad, Qt::LeftButton, {}, QPoint(pad->width() / 2, pad->height() / 4));
     EXPECT_TRUE(user_.waitForText("condition", "walks"));

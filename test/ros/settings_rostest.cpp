@@ -19,9 +19,6 @@ using dynamic_reconfigure::Config;
 using test_support::positionOf;
 using test_support::TopicListener;
 
-// A setting that was changed stays on the parameter server, for the next driver of the same name.
-constexpr const char* kFullSpeed = "_speed_scale:=1";
-
 /// @param entries of the setting's type
 template <typename Entries, typename Value>
 Config change(Entries Config::*entries, const std::string& name, const Value& value) {
@@ -121,9 +118,6 @@ TEST(Settings, OfWhatTheRobotSendsChangeItMeanwhile) {
       << "with the calibration of this size";
   EXPECT_NEAR(user.valueOf(user.set(change(&Config::doubles, "frame_rate", 8.0)), "frame_rate"), 7.5, 1e-9);
   EXPECT_TRUE(links.waitFor([](const auto& each) { return each.pictures_per_second_asked == 7.5F; }));
-  EXPECT_NEAR(user.valueOf(user.set(change(&Config::doubles, "telemetry_rate", 1.0)), "telemetry_rate"), 1 / 0.992,
-              1e-6)
-      << "31 measurements of 32 ms";
   connections.clear();
   user.set(change(&Config::strs, "transport", "tcp"));
   EXPECT_TRUE(connections.waitFor(
@@ -137,7 +131,8 @@ TEST(Settings, OfWhatTheRobotSendsChangeItMeanwhile) {
 
 TEST(Settings, SpeedScaleSlowsARunningTrajectoryThatStillArrives) {
   test_support::JointListener joints("/settings_trajectory");
-  SettingsUser user("/settings_trajectory", {"_joint_speed_limit:=0.5", kFullSpeed});
+  // A setting that was changed stays on the parameter server, for the next driver of the same name.
+  SettingsUser user("/settings_trajectory", {"_joint_speed_limit:=0.5", "_speed_scale:=1"});
   const auto passes = [&joints](double position) {
     return joints.messages().waitFor([=](const auto& state) { return positionOf(state, "head_pan") > position; });
   };
