@@ -2,21 +2,14 @@
 // AIBO_RACES is the number of races, to run for hours.
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <atomic>
 #include <condition_variable>
-#include <cstdint>
 #include <cstdlib>
-#include <functional>
 #include <future>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <random>
-#include <string>
 #include <thread>
-#include <utility>
-#include <vector>
 
 #include "aibo_client/rcserver_client.h"
 #include "movement/mover.h"
@@ -28,14 +21,10 @@ namespace aibo_driver::movement {
 namespace {
 
 using aibo_client::Posture;
-using aibo_client::RcServerClient;
 using aibo_client::WalkVelocity;
 using std::chrono::milliseconds;
-using test_support::Action;
 using test_support::Direction;
 using test_support::eventually;
-using test_support::FaultProxy;
-using test_support::kSafetyNet;
 using namespace std::chrono_literals;
 
 constexpr double kStill = 0.02;  // rad; for the steps of encoders
@@ -70,9 +59,9 @@ class MovedRobot {
     ticker_.wait();
   }
 
-  RcServerClient& client() { return client_; }
+  aibo_client::RcServerClient& client() { return client_; }
   Mover& mover() { return mover_; }
-  FaultProxy& proxy() { return proxy_; }
+  test_support::FaultProxy& proxy() { return proxy_; }
   Order order(const std::string& node = "/user") const { return {node, now()}; }
 
   /// Lets a time of the robot pass, however fast this computer is. Returns the joints that move in it, and how far.
@@ -83,7 +72,7 @@ class MovedRobot {
     begin_.reset();
     const auto is_over = [&] { return begin_ && newest_ - *begin_ >= (after + time) / kFrame; };
     from_ = after / kFrame;
-    std::string moved = measured_more_.wait_for(lock, kSafetyNet, is_over) ? "" : "nothing was measured";
+    std::string moved = measured_more_.wait_for(lock, test_support::kSafetyNet, is_over) ? "" : "nothing was measured";
     for (const auto& [joint, range] : ranges_) {
       const double way = range.second - range.first;
       moved += way > kStill ? " " + std::to_string(joint) + ": " + std::to_string(way) : "";
@@ -147,7 +136,7 @@ class MovedRobot {
   }
 
   test_support::SimulatedRobot robot_;
-  FaultProxy proxy_{robot_.port()};
+  test_support::FaultProxy proxy_{robot_.port()};
   JointTable table_{"ERS-7", kFastest};
   MeasuredJoints measured_{table_};
   std::mutex mutex_;
@@ -158,7 +147,7 @@ class MovedRobot {
   std::map<int, std::pair<double, double>> ranges_;  ///< of the joints' positions
   std::map<MovementId, int> ends_;
   std::atomic<int> stopped_{0};
-  RcServerClient client_{options(), callbacks()};
+  aibo_client::RcServerClient client_{options(), callbacks()};
   Mover mover_{table_, measured_, client_, kFastest};
   std::atomic<bool> is_over_{false};
   std::future<void> ticker_ = std::async(std::launch::async, [this] {
@@ -270,14 +259,14 @@ TEST(HeldJoystick, IsNotLetGoByWhatItsUserDoesNotDo) {
       {"freeze of the link",
        [&] {
          for (const Direction direction : {Direction::kToServer, Direction::kToClient}) {
-           robot.proxy().add({Action::kPause, test_support::Place::kHere, 0, direction, 0, {}, 600ms});
+           robot.proxy().add({test_support::Action::kPause, test_support::Place::kHere, 0, direction, 0, {}, 600ms});
          }
          robot.client().commandEars(true, true);
        }},
       {"another node's zeros", [&] { robot.mover().steer(robot.order("/other"), {}); }},
       {"reconnect",
        [&] {
-         robot.proxy().endConnections(Action::kReset);
+         robot.proxy().endConnections(test_support::Action::kReset);
          EXPECT_TRUE(eventually([&] { return robot.client().statistics().connections == 2; }));
        }},
   };
