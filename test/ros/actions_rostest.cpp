@@ -131,7 +131,11 @@ TEST(Actions, RejectGoalsThatAreTooManyOrTooLong) {
     };
     return aibo_driver::node::Activity<PlayMotionAction>{"", [](const auto&) {}, go_on};
   };
-  kind.refuse = aibo_driver::node::refuseWith<PlayMotionAction>("Nothing was done");
+  kind.refuse = [](const std::exception& error) {
+    aibo_driver::node::GoalEnd<PlayMotionAction> end;
+    end.text = end.result.message = std::string("Nothing was done: ") + error.what();
+    return end;
+  };
   Action action(handle, kind);
   thread.start();
   PlayGoal::Client client("/bounded/do");
