@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include "support/fake_client.h"
-#include "support/ros/log_listener.h"
 
 namespace aibo_driver::node {
 namespace {
