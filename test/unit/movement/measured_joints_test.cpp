@@ -27,16 +27,7 @@ class MeasuredJointsTest : public ::testing::Test {
   MeasuredJoints measured_{table_};
 };
 
-TEST_F(MeasuredJointsTest, AreEmptyAtFirstAndAfterClear) {
-  EXPECT_FALSE(measured_.find(pan_));
-  measured_.update(telemetry(4, milliseconds(32), 0.5));
-  ASSERT_TRUE(measured_.find(pan_));
-  EXPECT_DOUBLE_EQ(measured_.find(pan_)->position, 0.5);
-  measured_.clear();
-  EXPECT_FALSE(measured_.find(pan_));
-}
-
-TEST_F(MeasuredJointsTest, HaveTheVelocityBetweenTheLastTwoMeasurements) {
+TEST_F(MeasuredJointsTest, HaveTheVelocityBetweenTheLastTwoMeasurementsSinceTheyWereCleared) {
   struct Measurement {
     std::optional<std::uint32_t> frame;
     milliseconds arrival;
@@ -51,12 +42,14 @@ TEST_F(MeasuredJointsTest, HaveTheVelocityBetweenTheLastTwoMeasurements) {
   };
   for (const auto& [name, measurements, velocity] : rows) {
     measured_.clear();
+    EXPECT_FALSE(measured_.find(pan_)) << name;
     for (const Measurement& each : measurements) {
       measured_.update(telemetry(each.frame, each.arrival, each.position));
     }
     const std::optional<MeasuredJoint> pan = measured_.find(pan_);
     ASSERT_TRUE(pan) << name;
     EXPECT_NEAR(pan->velocity, velocity, 1e-9) << name;
+    EXPECT_EQ(pan->position, measurements.back().position) << name;
     EXPECT_EQ(pan->duty, pan->position / 2) << name;
     EXPECT_EQ(pan->arrival.time_since_epoch(), measurements.back().arrival) << name;
   }
