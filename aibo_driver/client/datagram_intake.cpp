@@ -37,9 +37,6 @@ bool DatagramIntake::arrived(const std::uint8_t* data, std::size_t size, TimePoi
     refuse("its number is impossible");
     return false;
   }
-  if (datagram.is_parity) {
-    return true;  // this client never asks for one
-  }
   const std::int64_t missing = datagram.sequence - next_sequence_;
   next_sequence_ += std::max<std::int64_t>(missing + 1, 0);
   ++context_->counters.datagrams;

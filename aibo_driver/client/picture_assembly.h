@@ -34,7 +34,6 @@ class PictureAssembly {
   };
 
   /// Adds a part, unless a newer picture has made it too late.
-  /// @param datagram no parity
   /// @param bytes the bytes of the part, as many as the datagram says
   /// @return false if the picture cannot have this part, because other parts describe it differently
   bool add(const protocol::version2::PictureDatagram& datagram, const unsigned char* bytes, TimePoint now);

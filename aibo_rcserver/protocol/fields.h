@@ -47,7 +47,6 @@ class Writer {
     number(static_cast<short>(static_cast<int>(value * 1000 + (value < 0 ? -0.5 : 0.5))));
   }
   void zeros(size_t count) { put("\0\0\0", count); }
-  void constant(unsigned value, const char* /*problem*/) { number(value); }
   void flag(bool value, const char* /*problem*/) { number(static_cast<unsigned char>(value ? 1 : 0)); }
   template <typename Choice>
   void choice(Choice value, int /*last*/, const char* /*problem*/) {
@@ -135,9 +134,6 @@ class Reader {
 
   /// Reserved bytes, at most three.
   void zeros(size_t count) { require(memcmp(take(count), "\0\0\0", count) == 0, "a reserved byte is not 0"); }
-
-  /// A uint32 with a fixed value.
-  void constant(unsigned value, const char* problem) { require(decodeBigEndian32(take(4)) == value, problem); }
 
   /// A byte that is 0 or 1.
   void flag(bool& value, const char* problem) { choice(value, 1, problem); }

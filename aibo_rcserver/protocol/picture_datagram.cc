@@ -13,16 +13,6 @@ size_t sizeOfPart(size_t jpeg_size, size_t part) {
   return rest < DATAGRAM_PART_SIZE ? rest : DATAGRAM_PART_SIZE;
 }
 
-size_t numberOfParities(size_t parts) {
-  return (parts + PARTS_PER_PARITY - 1) / PARTS_PER_PARITY;
-}
-
-void addToParity(const unsigned char* part, size_t size, unsigned char* parity) {
-  for (size_t i = 0; i < size; ++i) {
-    parity[i] = static_cast<unsigned char>(parity[i] ^ part[i]);
-  }
-}
-
 const char* decodePictureDatagram(const unsigned char* bytes, size_t size, PictureDatagram* datagram) {
   Reader reader(bytes, size);
   datagram->visit(reader);
@@ -33,7 +23,7 @@ const char* decodePictureDatagram(const unsigned char* bytes, size_t size, Pictu
 }
 
 void encodeTest(const DatagramOrder& order, unsigned char* out) {
-  const PictureDatagram header = {false, 0, order.first_sequence, order.first_picture, 0, ImageHeader()};
+  const PictureDatagram header = {0, order.first_sequence, order.first_picture, 0, ImageHeader()};
   memset(out, 0, MAX_DATAGRAM_SIZE);
   encode(header, out);
 }

@@ -2,9 +2,6 @@
 ///
 /// A picture is sent in parts of DATAGRAM_PART_SIZE bytes; the last part has the rest. Each part is a datagram with a
 /// header that describes the whole picture, so a receiver can begin with any part, and can ask for parts again.
-///
-/// If datagrams get lost, each group of PARTS_PER_PARITY parts is followed by its parity: the exclusive or of their
-/// bytes. A parity replaces any one lost datagram of its group.
 #ifndef AIBO_RCSERVER_PROTOCOL_PICTURE_DATAGRAM_H
 #define AIBO_RCSERVER_PROTOCOL_PICTURE_DATAGRAM_H
 
@@ -53,23 +50,13 @@ size_t numberOfParts(size_t jpeg_size);
 /// @param part 0 to numberOfParts() - 1
 size_t sizeOfPart(size_t jpeg_size, size_t part);
 
-/// The most parts in a group with a parity. A picture of 208x160 is one group.
-const size_t PARTS_PER_PARITY = 8;
-
-size_t numberOfParities(size_t parts);
-
-/// Adds a part to the parity of its group. A new parity is all 0 and has the size of the group's first part.
-/// @param size the size of the part
-void addToParity(const unsigned char* part, size_t size, unsigned char* parity);
-
 /// The first byte of a datagram.
 const char DATAGRAM_MARK = 'b';
 
-/// The header of a part or a parity, DATAGRAM_HEADER_SIZE bytes: char `b`, uint8 0 part, 1 parity, uint16 part, uint32
-/// sequence, uint32 picture, uint32 size of the JPEG, then the image header of `f`.
+/// The header of a part, DATAGRAM_HEADER_SIZE bytes: char `b`, uint8 0, uint16 part, uint32 sequence, uint32 picture,
+/// uint32 size of the JPEG, then the image header of `f`.
 struct PictureDatagram {
-  bool is_parity;
-  unsigned short part;  ///< index in the picture, from 0; for a parity, the first part of its group
+  unsigned short part;  ///< index in the picture, from 0
   unsigned sequence;    ///< counts datagrams, from the number in `B` on
   unsigned picture;     ///< counts pictures, from the number in `B` on
   unsigned jpeg_size;   ///< size of the whole picture, 1..MAX_JPEG_SIZE
@@ -77,37 +64,22 @@ struct PictureDatagram {
 
   template <typename Fields>
   void visit(Fields& fields) {
-    const char* const other = "the datagram does not begin like a part of a picture";
     char mark = DATAGRAM_MARK;
     fields.number(mark);
-    fields.require(mark == DATAGRAM_MARK, other);
-    fields.flag(is_parity, other);
+    fields.require(mark == DATAGRAM_MARK, "the datagram does not begin like a part of a picture");
+    fields.zeros(1);
     fields.number(part);
     fields.number(sequence);
     fields.number(picture);
     fields.number(jpeg_size);
     fields.require(jpeg_size > 0 && jpeg_size <= MAX_JPEG_SIZE, "the picture in the datagram is empty or too large");
     fields.require(part < numberOfParts(jpeg_size), "the picture in the datagram does not have that many parts");
-    fields.require(!is_parity || part % PARTS_PER_PARITY == 0,
-                   "the part of the parity is not the first one of a group");
     fields.item(image);
   }
 };
 
-/// Decodes a datagram and checks its size. The part or parity begins at bytes + DATAGRAM_HEADER_SIZE.
+/// Decodes a datagram and checks its size. The part begins at bytes + DATAGRAM_HEADER_SIZE.
 const char* decodePictureDatagram(const unsigned char* bytes, size_t size, PictureDatagram* datagram);
-
-/// A receiver sends this report when datagrams were lost, so that parities follow: char `l`, 3 x uint8 0, uint32
-/// picture that showed the loss.
-struct LossReport {
-  unsigned picture;
-
-  template <typename Fields>
-  void visit(Fields& fields) {
-    fields.constant('l' << 24, "the datagram is not a loss report");
-    fields.number(picture);
-  }
-};
 
 /// A receiver sends this status when a picture is complete or parts are missing: char `s`, uint8 0, uint16 first part,
 /// uint32 picture, uint32 bits.

@@ -14,15 +14,13 @@ const size_t ENDPOINT_POOL_SIZE = 2 * MAX_DATAGRAM_SIZE;
 
 const size_t RECEIVE_SIZE = DATAGRAM_STATUS_SIZE + 1;  // one more byte, to detect longer datagrams
 const size_t DATAGRAM_OFFSET = KEPT_PICTURES * ENCODED_PICTURE_CAPACITY;
-const size_t PARITY_OFFSET = DATAGRAM_OFFSET + MAX_DATAGRAM_SIZE;
-const size_t RECEIVE_OFFSET = PARITY_OFFSET + DATAGRAM_PART_SIZE;
+const size_t RECEIVE_OFFSET = DATAGRAM_OFFSET + MAX_DATAGRAM_SIZE;
 
 }  // namespace
 
 const unsigned PictureDatagrams::MOST_UNACKNOWLEDGED;
 const longword PictureDatagrams::PATIENCE;
 const longword PictureDatagrams::PATIENCE_PER_PART;
-const unsigned PictureDatagrams::PROTECTED_PICTURES;
 const longword PictureDatagrams::OLDEST_LEFT_OVER;
 
 PictureDatagrams::PictureDatagrams()
@@ -38,9 +36,6 @@ PictureDatagrams::PictureDatagrams()
       left_over_(0),
       unsent_part_(0),
       number_of_parts_(0),
-      has_parities_(false),
-      is_parity_due_(false),
-      to_be_protected_(0),
       missing_picture_(0),
       first_missing_(0),
       missing_(0),
@@ -115,8 +110,6 @@ void PictureDatagrams::Send(const ImageHeader& image, const byte* jpeg, size_t s
   ++next_picture_;
   unsent_part_ = 0;
   number_of_parts_ = numberOfParts(size);
-  has_parities_ = to_be_protected_ > 0;
-  to_be_protected_ -= has_parities_ ? 1 : 0;
   SendNext();
 }
 
@@ -135,13 +128,10 @@ void PictureDatagrams::Received(const UDPEndpointReceiveMsg& answer) {
   const bool is_from_client =
       answer.error == UDP_SUCCESS && answer.address.Address() == receiver_ && answer.port == order_.port;
   const size_t size = is_from_client ? static_cast<size_t>(answer.size) : 0;
-  LossReport loss;
   DatagramStatus status;
   if (decode(ReceiveBuffer(), size, &status) == NULL) {
     Acknowledge(status.picture);
     Repeat(status);
-  } else if (decode(ReceiveBuffer(), size, &loss) == NULL && next_picture_ - loss.picture <= PROTECTED_PICTURES) {
-    to_be_protected_ = PROTECTED_PICTURES;
   }
   Receive();
 }
@@ -179,7 +169,6 @@ bool PictureDatagrams::Open() {
   next_sequence_ = order_.first_sequence;
   next_picture_ = order_.first_picture;
   acknowledged_ = order_.first_picture;
-  to_be_protected_ = 0;
   UDPEndpointBindMsg bind(endpoint_, IP_ADDR_ANY, IP_PORT_ANY);
   if (bind.Call(stack_, sizeof(bind)) != ANT_SUCCESS || bind.error != UDP_SUCCESS) {
     Close();
@@ -207,32 +196,9 @@ void PictureDatagrams::SendNext() {
   }
   if (missing_ != 0) {
     SendMissingPart();
-  } else if (is_parity_due_) {
-    SendParity();
   } else if (unsent_part_ < number_of_parts_) {
-    SendPart();
+    SendPart(next_picture_ - 1, unsent_part_++);
   }
-}
-
-void PictureDatagrams::SendPart() {
-  const KeptPicture& picture = Kept(next_picture_ - 1);
-  const size_t part = unsent_part_;
-  const byte* const content = picture.jpeg + part * DATAGRAM_PART_SIZE;
-  ++unsent_part_;
-  if (has_parities_) {
-    const size_t size = sizeOfPart(picture.size, part);
-    if (part % PARTS_PER_PARITY == 0) {
-      memset(ParityBuffer(), 0, size);
-    }
-    addToParity(content, size, ParityBuffer());
-    is_parity_due_ = unsent_part_ % PARTS_PER_PARITY == 0 || unsent_part_ == number_of_parts_;
-  }
-  SendContent(next_picture_ - 1, false, part, content);
-}
-
-void PictureDatagrams::SendParity() {
-  is_parity_due_ = false;
-  SendContent(next_picture_ - 1, true, (unsent_part_ - 1) / PARTS_PER_PARITY * PARTS_PER_PARITY, ParityBuffer());
 }
 
 void PictureDatagrams::SendMissingPart() {
@@ -241,19 +207,17 @@ void PictureDatagrams::SendMissingPart() {
     ++bit;
   }
   missing_ &= ~(1u << bit);
-  const size_t part = first_missing_ + bit;
-  SendContent(missing_picture_, false, part, Kept(missing_picture_).jpeg + part * DATAGRAM_PART_SIZE);
+  SendPart(missing_picture_, first_missing_ + bit);
 }
 
-// @param part the part or, for a parity, the first part of its group; the content has the size of this part
-void PictureDatagrams::SendContent(unsigned picture, bool is_parity, size_t part, const byte* content) {
+void PictureDatagrams::SendPart(unsigned picture, size_t part) {
   const KeptPicture& kept = Kept(picture);
-  const PictureDatagram header = {is_parity, static_cast<unsigned short>(part), next_sequence_,
-                                  picture,   static_cast<unsigned>(kept.size),  kept.image};
+  const PictureDatagram header = {static_cast<unsigned short>(part), next_sequence_, picture,
+                                  static_cast<unsigned>(kept.size), kept.image};
   const size_t size = sizeOfPart(kept.size, part);
   ++next_sequence_;
   encode(header, DatagramBuffer());
-  memcpy(DatagramBuffer() + DATAGRAM_HEADER_SIZE, content, size);
+  memcpy(DatagramBuffer() + DATAGRAM_HEADER_SIZE, kept.jpeg + part * DATAGRAM_PART_SIZE, size);
   SendDatagram(DATAGRAM_HEADER_SIZE + size);
 }
 
@@ -275,7 +239,6 @@ void PictureDatagrams::SendDatagram(size_t size) {
 
 void PictureDatagrams::DropUnsent() {
   missing_ = 0;
-  is_parity_due_ = false;
   unsent_part_ = number_of_parts_;
 }
 
@@ -288,10 +251,6 @@ void PictureDatagrams::Receive() {
 
 byte* PictureDatagrams::DatagramBuffer() const {
   return buffer_.Bytes() + DATAGRAM_OFFSET;
-}
-
-byte* PictureDatagrams::ParityBuffer() const {
-  return buffer_.Bytes() + PARITY_OFFSET;
 }
 
 byte* PictureDatagrams::ReceiveBuffer() const {

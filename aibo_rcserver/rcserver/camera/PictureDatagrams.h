@@ -32,8 +32,6 @@ class DatagramSwitch {
 /// UDP has no flow control, and on a slow radio link old pictures would fill the radio's queue. So at most
 /// MOST_UNACKNOWLEDGED pictures are in flight. The client's status acknowledges pictures, and has missing parts
 /// repeated. If no status comes, the next picture is sent after a timeout.
-///
-/// When the client reports a loss, the next PROTECTED_PICTURES have parities, so that it can rebuild a lost datagram.
 class PictureDatagrams : public DatagramSwitch {
  public:
   /// Most pictures in flight: two, so that the radio does not idle while a status is on its way. A picture of which
@@ -44,10 +42,6 @@ class PictureDatagrams : public DatagramSwitch {
   /// 12 ms at 1 Mbit/s.
   static const longword PATIENCE = 6;
   static const longword PATIENCE_PER_PART = 2;
-
-  /// Pictures that have parities after a loss: about 2 s at full rate. If more than one datagram in 300 is lost, nearly
-  /// all pictures have parities.
-  static const unsigned PROTECTED_PICTURES = 64;
 
   /// A picture that was begun this many frames ago is too old to be handed over to TCP: 200 ms.
   static const longword OLDEST_LEFT_OVER = 25;
@@ -101,26 +95,23 @@ class PictureDatagrams : public DatagramSwitch {
  private:
   bool Open();
   void Close();
-  bool HasUnsent() const { return missing_ != 0 || is_parity_due_ || unsent_part_ < number_of_parts_; }
+  bool HasUnsent() const { return missing_ != 0 || unsent_part_ < number_of_parts_; }
   void Acknowledge(unsigned next_picture);
   void Repeat(const protocol::version2::DatagramStatus& status);
   void SendNext();
-  void SendPart();
-  void SendParity();
   void SendMissingPart();
-  void SendContent(unsigned picture, bool is_parity, size_t part, const byte* content);
+  void SendPart(unsigned picture, size_t part);
   void SendTest();
   void SendDatagram(size_t size);
   void DropUnsent();
   void Receive();
   KeptPicture& Kept(unsigned picture) { return kept_[picture % protocol::version2::KEPT_PICTURES]; }
   byte* DatagramBuffer() const;
-  byte* ParityBuffer() const;
   byte* ReceiveBuffer() const;
 
   OID object_;
   antStackRef stack_;
-  SharedBuffer buffer_;  ///< room for the kept JPEGs, a datagram, a parity, and a received datagram
+  SharedBuffer buffer_;  ///< room for the kept JPEGs, a datagram, and a received datagram
   antModuleRef endpoint_;
   size_t endpoint_number_;  ///< different for each endpoint, so that answers to earlier ones can be recognised
   unsigned receiver_;       ///< the client's address
@@ -132,9 +123,6 @@ class PictureDatagrams : public DatagramSwitch {
   unsigned left_over_;                       ///< how many of the last pictures are to be sent by TCP
   size_t unsent_part_;                       ///< the next part of the current picture to be sent
   size_t number_of_parts_;                   ///< number of parts of the current picture
-  bool has_parities_;                        ///< the current picture has parities
-  bool is_parity_due_;                       ///< the parity of the group before unsent_part_ is due
-  unsigned to_be_protected_;                 ///< how many of the next pictures get parities
   unsigned missing_picture_;                 ///< the picture whose missing parts are to be repeated
   size_t first_missing_;                     ///< bit 0 of missing_ is this part
   unsigned missing_;                         ///< the parts to be repeated, as in DatagramStatus

@@ -13,7 +13,7 @@ namespace version2 = protocol::version2;
 
 namespace {
 
-enum Kind { PART = 0, PARITY = 4, RAW = 5, TIME_PASSES, TCP_WORKS, BEGINS_ANEW, COUNT };
+enum Kind { PART, RAW = 5, TIME_PASSES, TCP_WORKS, BEGINS_ANEW, COUNT };
 
 constexpr std::size_t kQualityOffset = 28;
 
@@ -34,7 +34,7 @@ class Receiver {
   void play() {
     const unsigned kind = input_.takeByte() % COUNT;
     if (kind < RAW) {
-      arrive(takePart(kind == PARITY));
+      arrive(takePart());
     } else if (kind == RAW) {
       arrive(takeRaw());
     } else if (kind == TIME_PASSES) {
@@ -58,17 +58,12 @@ class Receiver {
     require(intake_.nextLook() > now_, "it need not be looked at again at once");
   }
 
-  Bytes takePart(bool is_parity) {
+  Bytes takePart() {
     version2::PictureDatagram datagram = {};
     datagram.picture = input_.takeByte();
     datagram.sequence = input_.take16();
     datagram.jpeg_size = 1 + input_.takeByte() * 31U;
     datagram.part = static_cast<unsigned short>(input_.takeByte() % version2::numberOfParts(datagram.jpeg_size));
-    datagram.is_parity = is_parity;
-    if (is_parity) {
-      datagram.part =
-          static_cast<unsigned short>(datagram.part / version2::PARTS_PER_PARITY * version2::PARTS_PER_PARITY);
-    }
     datagram.image = {
         datagram.picture, 4 * datagram.picture + input_.takeByte() / 128, 208, 160, 85, version2::LAYER_HIGH, {}};
     Bytes bytes(version2::DATAGRAM_HEADER_SIZE);
@@ -76,15 +71,8 @@ class Receiver {
     datagram.picture += kStart.picture;
     datagram.sequence += kStart.sequence;
     version2::encode(datagram, bytes.data());
-    const std::size_t first = datagram.part;
-    bytes.resize(bytes.size() + version2::sizeOfPart(datagram.jpeg_size, first));
-    const std::size_t last =
-        is_parity ? std::min(first + version2::PARTS_PER_PARITY, version2::numberOfParts(datagram.jpeg_size))
-                  : first + 1;
-    for (std::size_t part = first; part < last; ++part) {
-      const Bytes content(version2::sizeOfPart(datagram.jpeg_size, part), static_cast<std::uint8_t>(picture));
-      version2::addToParity(content.data(), content.size(), bytes.data() + version2::DATAGRAM_HEADER_SIZE);
-    }
+    bytes.resize(bytes.size() + version2::sizeOfPart(datagram.jpeg_size, datagram.part),
+                 static_cast<std::uint8_t>(picture));
     return bytes;
   }
 
@@ -117,7 +105,7 @@ class Receiver {
       const auto picture_number = static_cast<std::uint8_t>(whole.header.image_count);
       require(std::count(whole.jpeg.begin(), whole.jpeg.end(), picture_number) ==
                   static_cast<std::ptrdiff_t>(whole.jpeg.size()),
-              "all parts are of the picture, also those that were repaired");
+              "all parts are of the picture");
       require(!newest_ || whole.header.image_count > *newest_, "no picture comes after a newer one");
       newest_ = whole.header.image_count;
       intake_.goodPicture(whole.number, now_);

@@ -108,9 +108,8 @@ void decodeAsEverything(const Bytes& payload) {
   using namespace version2;
   decodeAsEach<PictureRequest, StreamSettings, JointTargets, SpeedLimits, TelemetryPeriod, Telemetry, MotorState,
                MotorsAndPosture, JointIds, LedValues, EarPositions, ColorSettings, ColorTable, MicrophoneSettings,
-               HeardSound, PlayedSound, SpeakerRoom, SoundEnd, Volume, LossReport, DatagramOrder, DatagramStatus,
-               Velocity, MotionUpload, MotionToDelete, MotionOrder, MotionChanges, StickPicture, FetchedPicture>(
-      payload);
+               HeardSound, PlayedSound, SpeakerRoom, SoundEnd, Volume, DatagramOrder, DatagramStatus, Velocity,
+               MotionUpload, MotionToDelete, MotionOrder, MotionChanges, StickPicture, FetchedPicture>(payload);
   decodeList(protocol::readMotionName, payload);
   decodeList(protocol::readPictureName, payload);
   decodePicture(payload);

@@ -137,7 +137,6 @@ const Layout kLayouts[] = {
     layout("DatagramOrder", DatagramOrder{54321, true, 0x12345678, 0x9abcdef0},
            hex("d4 31 01 00 12 34 56 78 9a bc de f0"), {3}),
     layout("DatagramStatus", DatagramStatus{2, 0x9abcdef0, 5}, hex("73 00 00 02 9a bc de f0 00 00 00 05"), {1}),
-    layout("LossReport", LossReport{0x1234}, hex("6c 00 00 00 00 00 12 34")),
     layout("Picture", PicturePayload{{66051, 168496141, 208, 160, 85, LAYER_HIGH, {}}, kJpeg, 4}, hex(kPicture), {},
            {17, 18, 19}, true),
     layout("PictureWithSettings", PicturePayload{{0, 0, 416, 320, 85, LAYER_DOUBLE, {{3, 2, 1, 0, 1}}}, kJpeg, 1},
@@ -343,7 +342,6 @@ const Verdict kVerdicts[] = {
     {verdictOnMotions, bytesOf("NOD.MTN\n\nWAG.MTN"), ".MTN"},
     {verdictOnMotions, bytesOf("NOD.MTN\r\nWAG.MTN"), ".MTN"},
     {verdictOnMotions, bytesOf("../A.MTN"), ".MTN"},
-    {verdict<LossReport>, hex("6c 01 00 00 00 00 12 34"), "loss report"},
 };
 
 TEST(Payloads, AreRefusedForTheRightReason) {

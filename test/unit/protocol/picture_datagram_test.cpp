@@ -32,7 +32,7 @@ Bytes with(Bytes bytes, size_t index, unsigned char value) {
 }
 
 TEST(PictureDatagram, HasTheLayoutOfTheDocument) {
-  const PictureDatagram value = {false, 1, 7, 3, 1344, {66051, 168496141, 208, 160, 85, LAYER_HIGH, {}}};
+  const PictureDatagram value = {1, 7, 3, 1344, {66051, 168496141, 208, 160, 85, LAYER_HIGH, {}}};
   EXPECT_EQ(encoded(value), hex(kHeader));
   const Bytes bytes = lastPart();
   PictureDatagram datagram{};
@@ -58,43 +58,13 @@ TEST(PictureDatagram, CutOrPaddedOnesAreRefused) {
 TEST(PictureDatagram, ImpossibleOnesAreRefused) {
   const Bytes bytes = lastPart();
   EXPECT_THAT(problemOf(with(bytes, 0, 'f')), HasSubstr("begin"));
-  EXPECT_THAT(problemOf(with(bytes, 1, 2)), HasSubstr("begin"));
-  EXPECT_THAT(problemOf(with(bytes, 1, 1)), HasSubstr("first one of a group")) << "a parity of group 0 names part 0";
+  EXPECT_THAT(problemOf(with(bytes, 1, 1)), HasSubstr("reserved"));
   EXPECT_THAT(problemOf(with(bytes, 3, 2)), HasSubstr("that many parts"));
   EXPECT_THAT(problemOf(with(bytes, 3, 0)), HasSubstr("size of its part"));
   EXPECT_THAT(problemOf(with(bytes, 12, 0x7f)), HasSubstr("too large"));
   EXPECT_THAT(problemOf(with(with(bytes, 14, 0), 15, 0)), HasSubstr("empty"));
   EXPECT_THAT(problemOf(with(bytes, 28, 101)), HasSubstr("quality"));
   EXPECT_THAT(problemOf(with(bytes, 29, 9)), HasSubstr("layer"));
-}
-
-TEST(PictureDatagram, AParityIsAsLongAsTheFirstPartOfItsGroup) {
-  Bytes bytes = with(with(hex(kHeader), 1, 1), 3, 0);
-  EXPECT_THAT(problemOf(bytes + Bytes(4, 7)), HasSubstr("size of its part"));
-  bytes = bytes + Bytes(DATAGRAM_PART_SIZE, 7);
-  PictureDatagram datagram{};
-  ASSERT_THAT(decodePictureDatagram(bytes.data(), bytes.size(), &datagram), IsNull());
-  EXPECT_TRUE(datagram.is_parity);
-  EXPECT_EQ(encoded(datagram), firstOf(bytes, DATAGRAM_HEADER_SIZE));
-}
-
-TEST(Parity, OfAGroupGivesBackAnyPartOfIt) {
-  EXPECT_EQ(numberOfParities(1), 1U);
-  EXPECT_EQ(numberOfParities(8), 1U);
-  EXPECT_EQ(numberOfParities(9), 2U);
-  const std::vector<Bytes> parts = {hex("01 02 03 04"), hex("ff 00 ff 00"), hex("55 aa")};
-  for (size_t lost = 0; lost < parts.size(); ++lost) {
-    Bytes sum(4);
-    for (const Bytes& part : parts) {
-      addToParity(part.data(), part.size(), sum.data());
-    }
-    for (size_t i = 0; i < parts.size(); ++i) {
-      if (i != lost) {
-        addToParity(parts[i].data(), parts[i].size(), sum.data());
-      }
-    }
-    EXPECT_EQ(firstOf(sum, parts[lost].size()), parts[lost]);
-  }
 }
 
 }  // namespace

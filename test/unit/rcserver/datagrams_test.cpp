@@ -68,19 +68,9 @@ class DatagramsTest : public Version2Fixture {
     return pictures;
   }
 
-  template <typename Payload>
-  static std::vector<uint8_t> datagramOf(const Payload& payload) {
-    const std::string bytes = payloadOf(payload);
-    return {bytes.begin(), bytes.end()};
-  }
-
-  static std::vector<uint8_t> lossReport(unsigned picture) { return datagramOf(LossReport{picture}); }
   static std::vector<uint8_t> status(unsigned picture, unsigned first_part = 0, unsigned missing = 0) {
-    return datagramOf(DatagramStatus{static_cast<unsigned short>(first_part), picture, missing});
-  }
-
-  static bool hasParity(const std::vector<ReceivedPart>& parts) {
-    return std::any_of(parts.begin(), parts.end(), [](const ReceivedPart& part) { return part.header.is_parity; });
+    const std::string bytes = payloadOf(DatagramStatus{static_cast<unsigned short>(first_part), picture, missing});
+    return {bytes.begin(), bytes.end()};
   }
 
   static std::vector<uint8_t> joined(const std::vector<ReceivedPart>& parts) {
@@ -142,57 +132,6 @@ TEST_F(DatagramsTest, DatagramsGoToTheClientAloneAndEndWithIt) {
   ASSERT_TRUE(await(*client_));
   streamTo(elsewhere);
   EXPECT_FALSE(nextPicture(elsewhere).empty());
-}
-
-TEST_F(DatagramsTest, AfterALossEachGroupOfPartsIsFollowedByItsParity) {
-  UdpSocket receiver;
-  robot_.showNoise();
-  streamTo(receiver);
-  answerTo('W', 100, kStreamOn);
-  EXPECT_FALSE(hasParity(nextPicture(receiver)));
-  tell(receiver, 701);
-  receiver.reply(lossReport(700));
-  const std::vector<ReceivedPart> parts = nextPicture(receiver);
-  ASSERT_GT(parts.size(), 2 * PARTS_PER_PARITY) << "the test needs several groups";
-  EXPECT_THAT(sizes_, testing::Each(testing::Le(1372U)));
-  unsigned part = 0;
-  std::vector<uint8_t> sum;
-  for (size_t i = 0; i < parts.size(); ++i) {
-    const ReceivedPart& received = parts[i];
-    EXPECT_EQ(received.header.sequence, parts[0].header.sequence + i);
-    if (received.header.is_parity) {
-      EXPECT_EQ(received.header.part, (part - 1) / PARTS_PER_PARITY * PARTS_PER_PARITY);
-      EXPECT_EQ(received.bytes, sum) << "of the parts until " << part;
-      sum.clear();
-      continue;
-    }
-    EXPECT_EQ(received.header.part, part++);
-    sum.resize(std::max(sum.size(), received.bytes.size()));
-    addToParity(received.bytes.data(), received.bytes.size(), sum.data());
-  }
-  EXPECT_TRUE(parts.back().header.is_parity);
-  EXPECT_EQ(part, numberOfParts(parts[0].header.jpeg_size));
-  EXPECT_EQ(parts.size(), part + numberOfParities(part));
-}
-
-TEST_F(DatagramsTest, ParitiesComeFor64PicturesAfterTheLastLossOfTheClient) {
-  UdpSocket receiver;
-  UdpSocket stranger;
-  streamTo(receiver);
-  nextPicture(receiver);
-  stranger.send(receiver.senderPort(), lossReport(700));
-  EXPECT_FALSE(hasParity(nextPicture(receiver))) << "a stranger's";
-  tell(receiver, 702);
-  receiver.reply(lossReport(701));
-  unsigned with_parity = 0;
-  for (unsigned i = 0; i < 100; ++i) {
-    with_parity += hasParity(nextPicture(receiver)) ? 1 : 0;
-    tell(receiver, 703 + i);
-    if (i == 20) {
-      receiver.reply(lossReport(722));
-    }
-  }
-  EXPECT_EQ(with_parity, 21U + 64U) << "they begin anew with the second loss";
 }
 
 TEST_F(DatagramsTest, OnlyTheClientAcknowledgesAndAllPicturesBeforeTheOneThatItNames) {
