@@ -62,26 +62,18 @@ class HearTest(unittest.TestCase):
         subscriber.return_value.unregister.assert_called_once()
         self.assertEqual(list(memoryview((self.folder / '16000-1').read_bytes()).cast('h')), [7])
 
-    def test_says_that_its_player_has_ended(self):
-        self.play_with('false')
-        ear = aibo_hear.Ear()
-        with mock.patch.object(aibo_hear.rospy, 'signal_shutdown') as shut_down:
-            while not ear.problem:
+    def test_says_why_its_player_plays_nothing(self):
+        for player, why in (('false', 'aibo_hear: false has ended. Does this computer have a sound card?'),
+                            ('no-such-player', 'alsa-utils')):
+            self.play_with(player)
+            ear = aibo_hear.Ear()
+            with mock.patch.object(aibo_hear.rospy, 'signal_shutdown') as shut_down:  # it would end this program's rospy
+                while not ear.problem:
+                    ear.hear(sound([1]))
                 ear.hear(sound([1]))
-            ear.hear(sound([1]))
-        ear.end()
-        shut_down.assert_called_once()
-        self.assertEqual(ear.problem, 'aibo_hear: false has ended. Does this computer have a sound card?')
-
-    def test_says_that_there_is_no_player(self):
-        self.play_with('no-such-player')
-        ear = aibo_hear.Ear()
-        with mock.patch.object(aibo_hear.rospy, 'signal_shutdown') as shut_down:  # it would end this program's rospy
-            ear.hear(sound([1]))
-            ear.hear(sound([2]))
-        ear.end()
-        shut_down.assert_called_once()
-        self.assertIn('alsa-utils', ear.problem)
+            ear.end()
+            shut_down.assert_called_once()
+            self.assertIn(why, ear.problem)
 
 
 if __name__ == '__main__':
