@@ -1,6 +1,4 @@
 // Resolution and rate of the stream, and the camera's settings.
-
-#include "client/fault.h"
 #include "version2_fixture.h"
 
 using namespace aibo_client;

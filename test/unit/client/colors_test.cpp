@@ -1,6 +1,4 @@
 // The colour detection: what the client asks for, and what it believes.
-
-#include "client/fault.h"
 #include "protocol/color_requests.h"
 #include "version2_fixture.h"
 

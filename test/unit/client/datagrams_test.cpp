@@ -1,5 +1,4 @@
 // Pictures by UDP: what the client asks for, which pictures it delivers in which order, and when it goes back to TCP.
-
 #include "datagrams_fixture.h"
 
 using namespace aibo_client;

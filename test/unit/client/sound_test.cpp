@@ -1,5 +1,4 @@
 // Sound: what the client asks for, what it believes, and what it sends.
-
 #include "client_fixture.h"
 #include "protocol/sound_requests.h"
 #include "version2_fixture.h"

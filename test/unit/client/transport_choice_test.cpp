@@ -1,7 +1,5 @@
 // How the client chooses between TCP and UDP.
-
 #include "client/transport_choice.h"
-#include "client/fault.h"
 #include "datagrams_fixture.h"
 
 using namespace aibo_client;

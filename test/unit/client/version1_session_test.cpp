@@ -1,6 +1,5 @@
 #include "client/version1_session.h"
 
-#include "client/fault.h"
 #include "session_fixture.h"
 
 using namespace aibo_client;

@@ -21,8 +21,6 @@ using camera::colorOf;
 using camera::ColorTableException;
 using camera::loadColorTable;
 using camera::parseColorTable;
-using camera::RgbColor;
-using camera::toYaml;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Pair;
@@ -51,13 +49,13 @@ TEST(ColorTableFile, HasRangesForStepsOfBrightness) {
 }
 
 TEST(ColorTableFile, IsWrittenAsItIsRead) {
-  EXPECT_EQ(toYaml(parseColorTable(kPink, "FILE")), kPink);
+  EXPECT_EQ(camera::toYaml(parseColorTable(kPink, "FILE")), kPink);
   ColorTable gaps;
   gaps.name = "a: strange \"name\"";
   gaps.segments[3] = ColorRange{0, 255, 7, 7};
   gaps.segments[5] = ColorRange{0, 255, 7, 8};
   gaps.segments.back() = ColorRange{0, 255, 7, 9};
-  const ColorTable again = parseColorTable(toYaml(gaps), "FILE");
+  const ColorTable again = parseColorTable(camera::toYaml(gaps), "FILE");
   EXPECT_EQ(again.name, gaps.name);
   EXPECT_EQ(again.segments, gaps.segments);
 }
@@ -134,7 +132,7 @@ TEST(ColorTableFile, StandsForItsColor) {
   EXPECT_EQ(colorOf(mean).red, 194) << "160 + 1.402 * 24.33";
   EXPECT_EQ(colorOf(mean).green, 149) << "160 - 0.714 * 24.33 + 0.344 * 18.67";
   EXPECT_EQ(colorOf(mean).blue, 126) << "160 - 1.772 * 18.67";
-  const RgbColor grey = colorOf({});
+  const camera::RgbColor grey = colorOf({});
   EXPECT_THAT((std::vector<int>{grey.red, grey.green, grey.blue}), ElementsAre(160, 160, 160));
 }
 

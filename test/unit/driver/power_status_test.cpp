@@ -9,7 +9,6 @@ namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
-using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 constexpr int kBattery = 66;
@@ -64,7 +63,7 @@ TEST(PowerStatus, TellsTheChargeOrTheTemperatureAloneWhileTheOtherIsUnknown) {
   PowerStatus hot(model);
   hot.update(telling({{kTemperature, 60}}));
   EXPECT_EQ(reportOf(hot).level, DiagnosticStatus::ERROR);
-  EXPECT_THAT(reportOf(hot).message, AllOf(HasSubstr("does not report its battery"), HasSubstr("60 degrees")));
+  EXPECT_THAT(reportOf(hot).message, testing::AllOf(HasSubstr("does not report its battery"), HasSubstr("60 degrees")));
   EXPECT_EQ(reportOf(hot, !kAsked).level, DiagnosticStatus::OK) << "what it told before may be over";
   PowerStatus empty(model);
   empty.update(telling({{kBattery, 0}}));

@@ -6,14 +6,13 @@ namespace aibo_driver::movement {
 
 namespace {
 
-using std::chrono::milliseconds;
 using namespace std::chrono_literals;
 
 constexpr int kHeadPan = 2;
 
 class MeasuredJointsTest : public ::testing::Test {
  protected:
-  static aibo_client::Telemetry telemetry(std::optional<std::uint32_t> frame_number, milliseconds arrival,
+  static aibo_client::Telemetry telemetry(std::optional<std::uint32_t> frame_number, std::chrono::milliseconds arrival,
                                           double position) {
     aibo_client::Telemetry result;
     result.frame_number = frame_number;
@@ -30,7 +29,7 @@ class MeasuredJointsTest : public ::testing::Test {
 TEST_F(MeasuredJointsTest, HaveTheVelocityBetweenTheLastTwoMeasurementsSinceTheyWereCleared) {
   struct Measurement {
     std::optional<std::uint32_t> frame;
-    milliseconds arrival;
+    std::chrono::milliseconds arrival;
     double position;
   };
   const std::tuple<const char*, std::vector<Measurement>, double> rows[] = {

@@ -37,10 +37,6 @@ class PlayerTest : public testing::Test {
     robot_.on_samples = [this](bool is_last) { has_last_ = is_last; };
   }
 
-  bool hasLast() {
-    return test_support::eventually([this] { return has_last_.load(); });
-  }
-
   std::atomic<bool> has_last_{false};
   test_support::FakeClient robot_;
   Player player_{robot_};
@@ -48,7 +44,7 @@ class PlayerTest : public testing::Test {
 
 TEST_F(PlayerTest, AllSamplesAreSentInPieces) {
   const auto playback = player_.play(std::make_unique<Ramp>(2 * kMostSamplesAtOnce + 100));
-  ASSERT_TRUE(hasLast());
+  ASSERT_TRUE(test_support::eventually([this] { return has_last_.load(); }));
   EXPECT_THAT(robot_.told, testing::ElementsAre("samples 2048", "samples 2048", "samples 100 last"));
   ASSERT_EQ(2 * kMostSamplesAtOnce + 100, robot_.played.size());
   EXPECT_TRUE(std::is_sorted(robot_.played.begin(), robot_.played.end()));
@@ -83,7 +79,7 @@ TEST_F(PlayerTest, NoMoreIsSentThanTheRobotHasRoomFor) {
   robot_.room_for_samples = 0;
   const auto begin = std::chrono::steady_clock::now();
   player_.play(std::make_unique<Ramp>(2 * kMostSamplesAtOnce));
-  ASSERT_TRUE(hasLast());
+  ASSERT_TRUE(test_support::eventually([this] { return has_last_.load(); }));
   // Until then, the robot has played what was sent.
   EXPECT_LE(std::chrono::milliseconds(128), std::chrono::steady_clock::now() - begin);
 }
