@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "aibo_client/exceptions.h"
-#include "command_line/json.h"
+#include "text/json.h"
 
 namespace aibo_driver::command_line {
+
+using text::Json;
 
 /// Thrown if the standard output accepts no more, for example because the disk is full.
 class OutputException : public aibo_client::Exception {

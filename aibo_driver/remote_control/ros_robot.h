@@ -10,10 +10,10 @@
 #include <thread>
 #include <vector>
 
+#include "node/service_calls.h"
 #include "remote_control/driver_search.h"
 #include "remote_control/driver_topics.h"
 #include "remote_control/robot.h"
-#include "remote_control/service_calls.h"
 
 namespace aibo_driver::remote_control {
 
@@ -94,7 +94,7 @@ class RosRobot : public Robot {
 
   // Members that only the window's thread uses.
   RobotConnection connection_;
-  ServiceCalls calls_;
+  node::ServiceCalls calls_;
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;

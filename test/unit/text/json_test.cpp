@@ -1,8 +1,10 @@
-#include "command_line/json.h"
+#include "text/json.h"
 
 #include <gmock/gmock.h>
 
-namespace aibo_driver::command_line {
+#include <limits>
+
+namespace aibo_driver::text {
 namespace {
 
 TEST(Json, HasNumbersTextsAndTruth) {
@@ -32,4 +34,4 @@ TEST(Json, EscapesWhatATerminalWouldObey) {
 }
 
 }  // namespace
-}  // namespace aibo_driver::command_line
+}  // namespace aibo_driver::text

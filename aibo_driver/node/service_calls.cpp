@@ -1,8 +1,8 @@
-#include "remote_control/service_calls.h"
+#include "node/service_calls.h"
 
 #include <algorithm>
 
-namespace aibo_driver::remote_control {
+namespace aibo_driver::node {
 
 void ServiceCalls::cancel() {
   {
@@ -52,4 +52,4 @@ bool ServiceCalls::isEnding() {
   return is_ending_;
 }
 
-}  // namespace aibo_driver::remote_control
+}  // namespace aibo_driver::node

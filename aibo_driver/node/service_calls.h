@@ -1,6 +1,6 @@
 /// @file service_calls.h
-#ifndef AIBO_DRIVER_REMOTE_CONTROL_SERVICE_CALLS_H
-#define AIBO_DRIVER_REMOTE_CONTROL_SERVICE_CALLS_H
+#ifndef AIBO_DRIVER_NODE_SERVICE_CALLS_H
+#define AIBO_DRIVER_NODE_SERVICE_CALLS_H
 
 #include <ros/node_handle.h>
 #include <ros/service_client.h>
@@ -13,7 +13,7 @@
 
 #include "node/xmlrpc_peer.h"
 
-namespace aibo_driver::remote_control {
+namespace aibo_driver::node {
 
 /// Calls services without waiting for them. Each call has a thread of its own, so that no call waits for another one.
 ///
@@ -38,7 +38,7 @@ class ServiceCalls {
     return run(name, [this, name, request, done](Call& call) {
       typename Service::Response response;
       ros::ServiceClient client;
-      if (node::isAdvertised(name)) {       // without this check, roscpp would wait for a master that hangs
+      if (isAdvertised(name)) {             // without this check, roscpp would wait for a master that hangs
         constexpr bool kPersistent = true;  // needed because another thread can end only such a connection
         client = ros::NodeHandle().serviceClient<Service>(name, kPersistent);
       }
@@ -69,6 +69,6 @@ class ServiceCalls {
   bool is_ending_ = false;
 };
 
-}  // namespace aibo_driver::remote_control
+}  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_REMOTE_CONTROL_SERVICE_CALLS_H
+#endif  // AIBO_DRIVER_NODE_SERVICE_CALLS_H

@@ -1,6 +1,6 @@
 /// @file json.h
-#ifndef AIBO_DRIVER_COMMAND_LINE_JSON_H
-#define AIBO_DRIVER_COMMAND_LINE_JSON_H
+#ifndef AIBO_DRIVER_TEXT_JSON_H
+#define AIBO_DRIVER_TEXT_JSON_H
 
 #include <initializer_list>
 #include <optional>
@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace aibo_driver::command_line {
+namespace aibo_driver::text {
 
 /// A JSON value (RFC 8259). This class only writes JSON. Numbers that are not finite and empty optionals become null.
 /// Control characters are escaped. Other bytes that text::plainText() would not show become U+FFFD. So every text gives
@@ -40,6 +40,6 @@ class Json {
   std::string text_;
 };
 
-}  // namespace aibo_driver::command_line
+}  // namespace aibo_driver::text
 
-#endif  // AIBO_DRIVER_COMMAND_LINE_JSON_H
+#endif  // AIBO_DRIVER_TEXT_JSON_H

@@ -1,17 +1,17 @@
-#include "command_line/json.h"
+#include "text/json.h"
 
 #include <cmath>
 #include <cstdio>
 
 #include "text/plain_text.h"
 
-namespace aibo_driver::command_line {
+namespace aibo_driver::text {
 namespace {
 
 std::string quoted(const std::string& text) {
   constexpr const char* kReplacement = "\xEF\xBF\xBD";  // U+FFFD
   std::string quoted = "\"";
-  for (const std::string& character : text::charactersOf(text)) {
+  for (const std::string& character : charactersOf(text)) {
     const auto byte = static_cast<unsigned char>(character.front());
     if (byte == '"' || byte == '\\') {
       quoted += '\\' + character;
@@ -68,4 +68,4 @@ Json Json::object(std::initializer_list<std::pair<std::string, Json>> members) {
   return object;
 }
 
-}  // namespace aibo_driver::command_line
+}  // namespace aibo_driver::text
