@@ -269,9 +269,9 @@ void ConnectionLoop::report() {
   if (connection_->status.state != ConnectionState::kConnected) {
     onReady();
   }
+  publish(connection_->status);
   update(&Shared::motors_and_posture, connection_->motors_and_posture, &Callbacks::on_motors_and_posture,
          "on_motors_and_posture");
-  publish(connection_->status);
 }
 
 // The connection works, so earlier faults are over.

@@ -62,7 +62,7 @@ class ScriptedPeer : public RawConnection {
   }
 
   /// Agrees to version 2 of the protocol, and says hello. Then the client sets the camera.
-  void agreeToVersion2(const std::string& capabilities = "F W J V T") {
+  void agreeToVersion2(const std::string& capabilities = "F W J V T", const Bytes& report = {}) {
     const protocol::BasicGetCommand question = readCommand();
     if (question.command != protocol::REQUEST_NEWER_VERSION) {
       throw std::runtime_error("the client has not asked for version 2, but sent " + std::string(1, question.command));
@@ -70,6 +70,7 @@ class ScriptedPeer : public RawConnection {
     send({'x', 2, 0, 0});
     const int number = readFrame().header.request_number;
     send(version2_frames::makeFrame('h', number, version2_frames::makeHello(capabilities)));
+    send(report);
     for (int i = 0; i < protocol::version2::NUMBER_OF_CAMERA_SETTINGS; ++i) {
       const version2_frames::Frame setting = readFrame();
       camera_ += version2_frames::textOf(setting) + ";";

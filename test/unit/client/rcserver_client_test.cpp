@@ -45,6 +45,23 @@ TEST_F(RcServerClientTest, NothingIsSaidOfARobotThatIsNotConnected) {
   EXPECT_FALSE(status.robot.hasCapability("F"));
 }
 
+// The user forgets what a robot does that is not connected.
+TEST_F(RcServerClientTest, TellsOfTheConnectionBeforeItTellsOfMotorsAndPosture) {
+  std::vector<ConnectionState> states;
+  const RcServerClient* asked = nullptr;
+  Callbacks callbacks;
+  callbacks.on_motors_and_posture = [&](const MotorsAndPosture&) { states.push_back(asked->status().state); };
+  RcServerClient client(optionsFor(server_), callbacks);
+  asked = &client;
+  client.start();
+  ScriptedPeer peer = server_.accept();
+  peer.agreeToVersion2(kCapabilities, makeFrame('o', 0, {1, protocol::version2::POSTURE_SIT, 0, 0}));
+  EXPECT_TRUE(eventually([&] { return client.motorsAndPosture().motors == MotorState::kOn; }));
+  client.stop();
+  ASSERT_FALSE(states.empty());
+  EXPECT_EQ(ConnectionState::kConnected, states.front());
+}
+
 TEST_F(RcServerClientTest, EachConnectionHasTheNextNumber) {
   for (const unsigned number : {1u, 2u}) {
     ScriptedPeer peer = connectVersion2();
