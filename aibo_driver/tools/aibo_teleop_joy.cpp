@@ -95,19 +95,6 @@ JoyMapping readMapping(const ros::NodeHandle& parameters) {
 // or a stop would be lost. The queue holds some seconds of messages, which is our choice.
 constexpr int kJoyQueueSize = 100;
 
-// A name with the time, because the driver would replace a picture of the same name.
-std::string pictureName() {
-  const ros::WallTime now = ros::WallTime::now();
-  const std::time_t seconds = now.sec;
-  std::tm local{};
-  localtime_r(&seconds, &local);
-  char date[40];
-  std::strftime(date, sizeof(date), "aibo_%Y%m%d_%H%M%S", &local);
-  char name[64];
-  std::snprintf(name, sizeof(name), "%s_%03u.jpg", date, now.nsec / 1'000'000);
-  return name;
-}
-
 std::string howToRelease(const JoyMapping& mapping) {
   return mapping.release_button == teleop::kNoPlace
              ? "Call the service release to let it move."
@@ -153,7 +140,7 @@ class JoyTeleop {
     }
     if (orders.take_picture) {
       TakePicture::Request request;
-      request.save_to = pictureName();
+      request.save_to = teleop::pictureName();
       pictures_.call<TakePicture>("take_picture", request);
     }
     if (!orders.motion.empty()) {
