@@ -125,8 +125,10 @@ class StepsTest(unittest.TestCase):
         self.assertEqual(file, str(self.home / 'launch/demo.launch'))
         self.assertEqual(environment['ROS_MASTER_URI'], 'http://127.0.0.1:' + port.split('=')[1])
         arguments = dict(word.split(':=') for word in words)
-        ports = [port.split('=')[1], *(arguments.pop(name) for name in ('port', 'console_port') if name in arguments)]
-        self.assertEqual(len(set(ports)), 1 if 'host' in arguments else 3)
+        self.assertEqual(arguments.pop('web'), 'true')
+        names = ('web_port',) if 'host' in arguments else ('web_port', 'port', 'console_port')
+        ports = {port.split('=')[1], *(arguments.pop(name) for name in names)}
+        self.assertEqual(len(ports), 1 + len(names))
         return arguments
 
     def test_shows_pictures_saves_one_and_ends_all(self):

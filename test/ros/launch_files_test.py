@@ -13,7 +13,7 @@ LAUNCH = PROJECT / 'launch'
 roslaunch.config.load_roscore = lambda *_, **__: None  # it would start two programs each time
 
 # Arguments of aibo.launch that are not the driver's parameters.
-NOT_OF_THE_DRIVER = {'ns', 'look_at', 'model', 'respawn', 'rviz', 'walk_calibration'}
+NOT_OF_THE_DRIVER = {'ns', 'look_at', 'model', 'respawn', 'rviz', 'walk_calibration', 'web', 'web_address', 'web_port'}
 
 # For each other argument a value that is not the default.
 OTHER_VALUES = {

@@ -1,0 +1,103 @@
+#include "web/page_server.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "web/page_connection.h"
+
+namespace aibo_driver::web {
+namespace {
+
+using boost::asio::ip::tcp;
+using Error = boost::system::error_code;
+
+tcp::acceptor listen(boost::asio::io_context& context, const std::string& address, std::uint16_t port) {
+  Gate(address, port);  // complains about the address
+  try {
+    return {context, {boost::asio::ip::make_address(address), port}};
+  } catch (const boost::system::system_error& error) {
+    throw std::runtime_error("the page cannot be served at " + address + ", port " + std::to_string(port) + ": " +
+                             error.code().message() + ". Set ~web_address to an address of this computer, and " +
+                             "~web_port to a free port, or to 0 to take any");
+  }
+}
+
+}  // namespace
+
+Frame textFrame(const std::string& text) {
+  const auto owner = std::make_shared<const std::string>(text);
+  return {owner, boost::asio::buffer(*owner), true};
+}
+
+PageServer::PageServer(boost::asio::io_context& context, const std::string& address, std::uint16_t port,
+                       PageListener& listener)
+    : acceptor_(listen(context, address, port)),
+      gate_(address, acceptor_.local_endpoint().port()),
+      listener_(listener) {
+  accept();
+}
+
+// The connections are limited, so this process has descriptors enough.
+void PageServer::accept() {
+  acceptor_.async_accept([this](Error error, tcp::socket socket) {
+    if (!error) {
+      admit(std::move(socket));
+    }
+    accept();
+  });
+}
+
+void PageServer::admit(tcp::socket socket) {
+  const auto connection = std::make_shared<PageConnection>(std::move(socket), *this);
+  newest_.push_back(connection);
+  connection->readRequest();
+  if (newest_.size() > kMostPages) {
+    const auto oldest = newest_.front().lock();
+    newest_.pop_front();
+    if (oldest && oldest->waits()) {
+      oldest->close();
+    }
+  }
+}
+
+Verdict PageServer::judge(const Knock& knock) const {
+  const Verdict verdict = gate_.judge(knock);
+  return verdict.status == 101 && pages_.size() >= kMostPages ? Verdict{503, "Too many pages are open.", ""} : verdict;
+}
+
+Page PageServer::enter(const std::shared_ptr<PageConnection>& connection) {
+  pages_[++last_page_] = connection;
+  return last_page_;
+}
+
+void PageServer::leave(Page page) {
+  if (pages_.erase(page) > 0) {
+    listener_.closed(page);
+  }
+}
+
+void PageServer::showPicture(const Frame& picture) {
+  for (const auto& [page, connection] : pages_) {
+    connection->showPicture(picture);
+  }
+}
+
+void PageServer::show(const std::string& kind, const std::string& text) {
+  texts_[kind] = textFrame(text);
+  for (const auto& [page, connection] : pages_) {
+    connection->show(kind, texts_[kind]);
+  }
+}
+
+void PageServer::tell(Page page, const Frame& frame) {
+  if (const auto found = pages_.find(page); found != pages_.end()) {
+    found->second->tell(frame);
+  }
+}
+
+std::string PageServer::nameOf(Page page) const {
+  const auto found = pages_.find(page);
+  return found == pages_.end() ? "" : found->second->name();
+}
+
+}  // namespace aibo_driver::web
