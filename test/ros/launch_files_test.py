@@ -72,8 +72,9 @@ def documented_topics():
 class LaunchFilesTest(unittest.TestCase):
 
     def test_the_documented_parameters_are_those_that_the_driver_reads(self):
-        source = (PROJECT / 'aibo_driver/node/driver_parameters.cpp').read_text(encoding='utf-8')
-        self.assertEqual(set(re.findall(r'reader\.read\("(\w+)"', source)), set(documented_parameters()))
+        source = ''.join((PROJECT / 'aibo_driver/node' / name).read_text(encoding='utf-8')
+                         for name in ('driver_parameters.h', 'driver_parameters.cpp'))
+        self.assertEqual(set(re.findall(r'\b(?:reader\.read|visit)\("(\w+)"', source)), set(documented_parameters()))
 
     def test_every_argument_of_aibo_launch_arrives_at_the_driver(self):
         names = {arg.get('name') for arg in ElementTree.parse(LAUNCH / 'aibo.launch').findall('arg')}
