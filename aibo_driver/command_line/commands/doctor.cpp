@@ -22,7 +22,7 @@ namespace {
 
 using std::chrono::steady_clock;
 
-constexpr int kConsolePort = 59000;  // Sony's wireless console
+constexpr int kConsolePort = 59000;          // Sony's wireless console
 constexpr std::size_t kLongestReason = 200;  // bytes
 constexpr double kLongestTest = 600;         // s
 constexpr double kFewPictures = 20;          // pictures a second, of the camera's 25 or 30
