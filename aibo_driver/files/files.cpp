@@ -11,9 +11,12 @@
 #include <array>
 #include <cctype>
 #include <cerrno>
+#include <chrono>
 #include <climits>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <system_error>
 
@@ -295,6 +298,20 @@ void replaceFile(const std::string& path, const std::string& content) {
   } catch (const host_files::Unwritable& why) {
     throw FileException("cannot write '" + path + "': " + why.what());
   }
+}
+
+std::string nameForPicture() {
+  using std::chrono::system_clock;
+  const system_clock::time_point now = system_clock::now();
+  const std::time_t second = system_clock::to_time_t(now);
+  std::tm local = {};
+  ::localtime_r(&second, &local);
+  char date[32];
+  std::strftime(date, sizeof date, "%Y%m%d_%H%M%S", &local);
+  const auto since_epoch = std::chrono::duration_cast<std::chrono::milliseconds>(now.time_since_epoch());
+  char name[64];
+  std::snprintf(name, sizeof name, "aibo_%s_%03d.jpg", date, static_cast<int>(since_epoch.count() % 1000));
+  return name;
 }
 
 std::string motionFileName(const std::string& name) {

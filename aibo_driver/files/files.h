@@ -50,6 +50,9 @@ std::string rosHome();
 /// @throw FileException the user has chosen nothing, and has no home: see rosHome()
 std::string pictureFolder(const std::string& chosen);
 
+/// A name for a new picture, with the local time in it, such as aibo_20261122_185601_123.jpg.
+std::string nameForPicture();
+
 /// Reads a motion, gzipped or not. Anybody who may ask for an upload may name any file, and somebody else may have
 /// taken the robot's place. So only motions may leave this computer.
 /// @throw FileException the file cannot be read, or is not a whole motion; the message says why

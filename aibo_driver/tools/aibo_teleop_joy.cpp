@@ -19,6 +19,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "files/files.h"
 #include "node/node.h"
 #include "tools/program.h"
 #include "tools/teleop/joy_steering.h"
@@ -140,7 +141,7 @@ class JoyTeleop {
     }
     if (orders.take_picture) {
       TakePicture::Request request;
-      request.save_to = teleop::pictureName();
+      request.save_to = aibo_driver::files::nameForPicture();
       pictures_.call<TakePicture>("take_picture", request);
     }
     if (!orders.motion.empty()) {

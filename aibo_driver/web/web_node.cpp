@@ -19,6 +19,7 @@
 #include <sstream>
 #include <utility>
 
+#include "files/files.h"
 #include "movement/joint_table.h"
 #include "node/bounded_message.h"
 #include "node/node.h"
@@ -256,7 +257,7 @@ void WebNode::stop(Page page) {
 
 void WebNode::takePicture(Page page) {
   TakePicture::Request request;
-  request.save_to = teleop::pictureName();
+  request.save_to = files::nameForPicture();
   const auto show_it = [this, page](const TakePicture::Response& response) {
     const auto owner = std::make_shared<const TakePicture::Response>(response);
     server_.tell(page, textFrame(pageText("taken", response.message)));

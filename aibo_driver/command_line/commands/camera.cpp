@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <ctime>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "command_line/commands/commands.h"
 #include "command_line/interruption.h"
 #include "command_line/quantities.h"
+#include "files/files.h"
 
 namespace aibo_driver::command_line {
 
@@ -91,16 +91,6 @@ aibo_client::ClientOptions clientOptionsIn(const Arguments& arguments) {
   return options;
 }
 
-/// The time of day for a name, such as 20261122-185601.
-std::string timeInName() {
-  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  std::tm local = {};
-  ::localtime_r(&now, &local);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y%m%d-%H%M%S", &local);
-  return text;
-}
-
 /// Takes a picture. If it needs settings of the camera, it is the first picture of a stream that has them.
 PicturePtr takePicture(Robot& robot, const Arguments& arguments) {
   const int quality = qualityIn(arguments);
@@ -126,7 +116,7 @@ PicturePtr takePicture(Robot& robot, const Arguments& arguments) {
 }
 
 ExitStatus picture(const Arguments& arguments, Output& output) {
-  const std::string file = arguments.has("output") ? arguments.get("output") : "aibo-" + timeInName() + ".jpg";
+  const std::string file = arguments.has("output") ? arguments.get("output") : files::nameForPicture();
   resolutionIn(arguments);
   cameraSettingsIn(arguments);
   Robot robot(arguments.robot, output, clientOptionsIn(arguments));

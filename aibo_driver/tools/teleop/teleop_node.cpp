@@ -1,10 +1,7 @@
 #include "tools/teleop/teleop_node.h"
 
-#include <ros/time.h>
 #include <std_srvs/Trigger.h>
 
-#include <cstdio>
-#include <ctime>
 #include <utility>
 
 #include "node/node.h"
@@ -20,18 +17,6 @@ Speeds readSpeeds(const ros::NodeHandle& parameters) {
   speeds.left = readNumber(parameters, "side_speed", speeds.left, 1.0);
   speeds.turn = readNumber(parameters, "turn_speed", speeds.turn, 10.0);
   return speeds;
-}
-
-std::string pictureName() {
-  const ros::WallTime now = ros::WallTime::now();
-  const std::time_t seconds = now.sec;
-  std::tm local{};
-  localtime_r(&seconds, &local);
-  char date[40];
-  std::strftime(date, sizeof(date), "aibo_%Y%m%d_%H%M%S", &local);
-  char name[64];
-  std::snprintf(name, sizeof(name), "%s_%03u.jpg", date, now.nsec / 1'000'000);
-  return name;
 }
 
 geometry_msgs::Twist toTwist(const aibo_client::WalkVelocity& velocity) {

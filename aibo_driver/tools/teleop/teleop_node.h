@@ -27,9 +27,6 @@ namespace teleop {
 /// @throw std::runtime_error a parameter is no number, or out of its range; the message names it
 Speeds readSpeeds(const ros::NodeHandle& parameters);
 
-/// A name for a new picture. It has the time in it, because the driver would replace a picture of the same name.
-std::string pictureName();
-
 geometry_msgs::Twist toTwist(const aibo_client::WalkVelocity& velocity);
 
 /// Logs the answer of a service.
