@@ -114,10 +114,10 @@ class WebBrowserTest(unittest.TestCase):
         self.until(lambda: text in self.element(selector).text, text)
 
     def hold(self):
-        """A finger in the upper part of the pad."""
+        """A finger at the side of the pad: the robot turns on the spot, because walls may end other walks."""
         pad = self.element('#walk')
         ActionChains(self.browser).move_to_element_with_offset(
-            pad, 0, int(-0.3 * pad.rect['height'])).click_and_hold().perform()
+            pad, int(0.3 * pad.rect['width']), 0).click_and_hold().perform()
         self.wait_for('walking')
 
     def lift(self):
