@@ -30,8 +30,24 @@ void refuseASecondOneInThisProcess(const ros::NodeHandle& handle) {
   }
 }
 
-/// @return what to do about a node if it runs, or if that is not certain; empty if it has ended
-std::string adviceAbout(const std::string& node, const XmlRpcPeer& master) {
+/// @throw NoAnswer the node does not answer
+bool publishes(const XmlRpcPeer& node, const std::string& topic) {
+  auto publications = node.call("getPublications", {});
+  try {
+    for (int i = 0; publications && i < publications->size(); ++i) {
+      if ((*publications)[i][0] == XmlRpcValue(topic)) {
+        return true;
+      }
+    }
+  } catch (const XmlRpc::XmlRpcException&) {
+    // What answers is no node of ROS, or a node that publishes nothing.
+  }
+  return false;
+}
+
+/// @return what to do about a publisher if it runs, or if that is not certain; empty if it has ended. Another node may
+///   have the address of one that was killed
+std::string adviceAbout(const std::string& node, const std::string& topic, const XmlRpcPeer& master) {
   std::string host;
   std::uint32_t port = 0;
   auto uri = master.call("lookupNode", {node});
@@ -39,8 +55,7 @@ std::string adviceAbout(const std::string& node, const XmlRpcPeer& master) {
     return "";
   }
   try {
-    XmlRpcPeer(host, port).call("getPid", {});
-    return "End it first, for instance by rosnode kill " + node + ".";
+    return publishes(XmlRpcPeer(host, port), topic) ? "End it first, for instance by rosnode kill " + node + "." : "";
   } catch (const NoAnswer& none) {
     return none.is_silent ? "It does not answer. If " + host + " is switched off, let the ROS master forget it by " +
                                 "rosnode cleanup."
@@ -75,7 +90,7 @@ OnlyDriver::OnlyDriver(const ros::NodeHandle& handle) {
     const std::vector<std::string> earlier =
         state ? publishersBefore(ros::this_node::getName(), claim_.getTopic(), *state) : std::vector<std::string>();
     for (const std::string& node : earlier) {
-      if (const std::string advice = adviceAbout(node, master); !advice.empty()) {
+      if (const std::string advice = adviceAbout(node, claim_.getTopic(), master); !advice.empty()) {
         refuse(handle.getNamespace(), "the node " + node, advice);
       }
     }

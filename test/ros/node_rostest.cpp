@@ -7,6 +7,7 @@
 #include <ros/network.h>
 #include <ros/ros.h>
 #include <ros/this_node.h>
+#include <ros/xmlrpc_manager.h>
 #include <rosgraph_msgs/Log.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
@@ -297,6 +298,17 @@ TEST(Node, ASecondDriverInANamespaceRefusesToStartAndNamesTheFirst) {
   const DriverProcess next("/one", robot.port(), {"__name:=second"});
   EXPECT_FALSE(CompressedListener("/one/camera/image_raw/compressed").waitForCount(1).empty()) << next.output();
   is_refused("third", taken + "second");
+}
+
+TEST(Node, StartsAlthoughAnotherNodeHasTheAddressOfADriverThatWasKilled) {
+  const auto master = aibo_driver::node::XmlRpcPeer::master();
+  const std::string topic = "/reused/connection";
+  const std::string address = ros::XMLRPCManager::instance()->getServerURI();
+  ASSERT_TRUE(master.call("registerPublisher", {topic, "aibo_driver/Connection", address}));
+  SimulatedRobot robot;
+  const DriverProcess driver("/reused", robot.port());
+  EXPECT_FALSE(CompressedListener("/reused/camera/image_raw/compressed").waitForCount(1).empty()) << driver.output();
+  EXPECT_TRUE(master.call("unregisterPublisher", {topic, address}));
 }
 
 TEST(Nodelet, WithABadParameterIsNotLoadedAndSaysWhy) {
