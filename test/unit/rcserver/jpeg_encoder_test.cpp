@@ -88,6 +88,17 @@ TEST_F(JpegEncoderTest, NoiseAtQuality100FitsIntoTheWorstCaseSize) {
   EXPECT_GT(encode(noise.image(), 100).size(), 64U * 1024U) << "the report's buffer would have been enough";
 }
 
+TEST_F(JpegEncoderTest, WhatCannotBeEncodedSaysWhy) {
+  const CameraImageFixture scene = CameraImageFixture::scene(208, 160);
+  std::vector<uint8_t> jpeg(100);
+  EXPECT_EQ(encoder_.Encode(scene.image(), 85, jpeg.data(), jpeg.size()), 0U);
+  EXPECT_STRNE(encoder_.LastError(), "") << "the buffer is too small";
+  CameraImage empty = scene.image();
+  empty.width = 0;
+  EXPECT_EQ(encoder_.Encode(empty, 85, jpeg.data(), jpeg.size()), 0U);
+  EXPECT_STREQ(encoder_.LastError(), "cannot encode 0 x 160 pixels: 1 x 2 to 416 x 320 is possible");
+}
+
 // The equations of Sony's sample W3AIBO (JPEGEncoder.cc, ReconstructAndConvertYCbCr), with its names, as a picture of
 // twice the size.
 CameraImageFixture reconstructed(const CameraImageFixture& bands) {
