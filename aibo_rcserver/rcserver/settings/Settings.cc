@@ -37,24 +37,49 @@ const char* SkipSpaces(const char* text) {
   return text + strspn(text, " \t");
 }
 
-bool IsPrintable(char character) {
-  return character == '\t' || (character >= ' ' && character <= '~');
+// True if this byte of a comment belongs to a well-formed character of UTF-8 that begins before it.
+bool ContinuesCharacter(const char* byte, const char* end) {
+  const ptrdiff_t longest = 4;
+  const char* first = byte;
+  do {
+    --first;  // no further back than the comment's #
+  } while ((*first & 0xc0) == 0x80 && byte - first < longest - 1);
+  bool is_well_formed = false;
+  for (ptrdiff_t size = byte - first + 1; size <= std::min(longest, end - first); ++size) {
+    is_well_formed = is_well_formed || protocol::isPlainText(first, static_cast<size_t>(size));
+  }
+  return is_well_formed;
 }
 
-bool IsOfName(char character) {
+// The size of a character at which some editors show a new line, although it ends no line here; 0 if there is none.
+// These characters are those of ASCII, NUL, NEL in Latin-1 and in UTF-8, and U+2028 and U+2029.
+size_t SizeOfUnclearLineEnd(const char* text, const char* end) {
+  if (memchr("\v\f\x1a\x1c\x1d\x1e", *text, 7) != NULL) {  // the final NUL is one of the characters
+    return 1;
+  }
+  if (*text == '\x85') {
+    return ContinuesCharacter(text, end) ? 0 : 1;
+  }
+  if (end - text >= 2 && memcmp(text, "\xc2\x85", 2) == 0) {
+    return 2;
+  }
+  return end - text >= 3 && (memcmp(text, "\xe2\x80\xa8", 3) == 0 || memcmp(text, "\xe2\x80\xa9", 3) == 0) ? 3 : 0;
+}
+
+bool IsLetter(char character) {
   return character == '_' || (character >= 'A' && character <= 'Z') || (character >= 'a' && character <= 'z');
 }
 
-// True if the text begins with NAME=, even if the name is misspelled. All names have an underscore.
+// True if the text begins with NAME=, whatever the name.
 bool BeginsLikeSetting(const char* text, const char* end) {
   while (text < end && (*text == ' ' || *text == '\t')) {
     ++text;
   }
   const char* const name = text;
-  while (text < end && IsOfName(*text)) {
+  while (text < end && IsLetter(*text)) {
     ++text;
   }
-  const bool has_name = std::find(name, text, '_') != text;
+  const bool has_name = text > name;
   while (text < end && (*text == ' ' || *text == '\t')) {
     ++text;
   }
@@ -62,10 +87,10 @@ bool BeginsLikeSetting(const char* text, const char* end) {
 }
 
 // True if an editor may show a setting in the comment as a line of its own, which may be meant to keep others out.
-// Editors differ in the characters that end a line for them, but no printable ASCII does.
 bool HidesSetting(const char* comment, const char* end) {
   for (const char* text = comment; text < end; ++text) {
-    if (!IsPrintable(*text) && BeginsLikeSetting(text + 1, end)) {
+    const size_t size = SizeOfUnclearLineEnd(text, end);
+    if (size > 0 && BeginsLikeSetting(text + size, end)) {
       return true;
     }
   }
@@ -113,8 +138,9 @@ bool Reader::TakeLine(const char* begin, const char* end) {
   bool is_plain = end - begin <= static_cast<ptrdiff_t>(MAX_SETTINGS_LINE_SIZE);
   char* out = line_;
   for (; begin < end && out < line_ + MAX_SETTINGS_LINE_SIZE; ++begin) {
-    is_plain = is_plain && IsPrintable(*begin);
-    *out++ = static_cast<char>(IsPrintable(*begin) ? toupper(*begin) : '?');
+    const bool is_known = *begin == '\t' || (*begin >= ' ' && *begin <= '~');
+    is_plain = is_plain && is_known;
+    *out++ = static_cast<char>(is_known ? toupper(*begin) : '?');
   }
   *out = '\0';
   return is_plain;
