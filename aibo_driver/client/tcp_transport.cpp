@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <set>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -97,9 +98,9 @@ int pollTimeout(TimePoint deadline) {
 
 TcpTransport::TcpTransport(Resolver resolver) : name_lookup_(std::move(resolver)) {}
 
-// Begins several attempts, one after the other and to all addresses in turn, and takes the first one that succeeds. The
-// kernel repeats a lost packet only after 1 s, and again after 2 s more. That is too slow for a radio link that comes
-// back at once.
+// Begins several attempts, one after the other, and takes the first one that succeeds. They go to the addresses in
+// turn, except for those that have failed. The kernel repeats a lost packet only after 1 s, and again after 2 s more.
+// That is too slow for a radio link that comes back at once.
 void TcpTransport::connect(const std::string& host, int port, TimePoint deadline) {
   const TimePoint begin = steady_clock::now();
   address_ = addressText(host, port);
@@ -108,28 +109,37 @@ void TcpTransport::connect(const std::string& host, int port, TimePoint deadline
   if (!any_attempt.valid()) {
     throw Fault::internal("epoll_create1: " + describe(errno));
   }
-  std::vector<FileDescriptor> attempts;
-  std::size_t failures = 0;
-  while (steady_clock::now() < deadline) {
+  struct Attempt {
+    FileDescriptor socket;
+    std::size_t address;  // an index
+  };
+  std::vector<Attempt> attempts;
+  std::set<std::size_t> failed;  // addresses
+  for (std::size_t next = 0; steady_clock::now() < deadline; ++next) {
+    std::size_t address = next % addresses.size();
+    if (failed.count(address) != 0) {
+      continue;
+    }
     TimePoint patience = deadline;
     try {
       if (attempts.size() < kMostAttempts + addresses.size()) {
-        const SocketAddress& address = addresses[attempts.size() % addresses.size()];
-        attempts.push_back(openSocket(address.storage.ss_family));
-        beginToConnect(attempts.back().get(), address);
-        add(any_attempt.get(), attempts.back().get(), attempts.size() - 1);
+        attempts.push_back({openSocket(addresses[address].storage.ss_family), address});
+        beginToConnect(attempts.back().socket.get(), addresses[address]);
+        add(any_attempt.get(), attempts.back().socket.get(), attempts.size() - 1);
         patience = std::min(deadline, steady_clock::now() + kAttemptInterval);
       }
       if (waitFor(any_attempt.get(), POLLIN, patience)) {
         epoll_event event = {};
         ::epoll_wait(any_attempt.get(), &event, 1, 0);
-        FileDescriptor socket = std::move(attempts[event.data.u64]);
+        address = attempts[event.data.u64].address;
+        FileDescriptor socket = std::move(attempts[event.data.u64].socket);
         checkConnected(socket.get());
         socket_ = std::move(socket);
         return;
       }
     } catch (const Fault&) {
-      if (++failures == addresses.size()) {
+      failed.insert(address);
+      if (failed.size() == addresses.size()) {
         throw;
       }
     }

@@ -68,22 +68,27 @@ TEST(TcpTransportTest, EachKindOfFailureIsRecognised) {
             faultOf([&] { transport.connect("127.0.0.1", absent.port(), in(milliseconds(200))); }));
 }
 
-TEST(TcpTransportTest, AnAddressThatFailsOrDoesNotAnswerLeavesTimeForTheNextOne) {
+TEST(TcpTransportTest, AnAddressThatFailsOrDoesNotAnswerLeavesTimeToOthers) {
   ScriptedServer absent(ScriptedServer::Begin::kAbsent);
   ScriptedServer full(ScriptedServer::Begin::kAbsent);
   full.listen(0);
   TcpTransport other;
   other.connect("127.0.0.1", full.port(), soon());
   ScriptedServer server;
-  for (const int port : {absent.port(), full.port()}) {
-    TcpTransport transport([&](const std::string&, int) {
-      NameLookupResult result = resolveWithSystem("127.0.0.1", port);
-      result.addresses.push_back(resolveWithSystem("127.0.0.1", server.port()).addresses.front());
+  const auto connect = [](int first, int second, milliseconds time) {
+    TcpTransport transport([=](const std::string& host, int) {
+      NameLookupResult result = resolveWithSystem(host, first);
+      result.addresses.push_back(resolveWithSystem(host, second).addresses.front());
       return result;
     });
-    EXPECT_NO_THROW(transport.connect("robot", 54321, in(std::chrono::seconds(4))));
+    transport.connect("127.0.0.1", 54321, in(time));
+  };
+  for (const int port : {absent.port(), full.port()}) {
+    EXPECT_NO_THROW(connect(port, server.port(), std::chrono::seconds(4)));
     server.accept();
   }
+  EXPECT_EQ(FaultKind::kNoAnswer, faultOf([&] { connect(absent.port(), full.port(), milliseconds(600)); }))
+      << "an address that has failed counts once";
 }
 
 TEST(TcpTransportTest, TheRobotsCloseAndResetAreFaults) {
