@@ -22,7 +22,9 @@ Connection::Connection(const ConnectionContext& the_context, TimePoint establish
       measurements(context),
       colors(context),
       sound(context),
-      commands([this](const Refusal& refusal) { tell(refusal); }) {}
+      commands([this](const Refusal& refusal) { tell(refusal); }) {
+  status.state = ConnectionState::kConnecting;
+}
 
 void Connection::refused(const Refusal& refusal) {
   ++context.counters.refusals;
@@ -107,8 +109,11 @@ void Connection::refuse(const Call& call, RefusalCause cause, const std::string&
                });
 }
 
+// When the connection ends, all orders end with it, and nothing is said of them.
 void Connection::tell(const Refusal& refusal) {
-  context.notifier.tell(&Callbacks::on_refused, "on_refused", refusal);
+  if (status.state != ConnectionState::kDisconnected) {
+    context.notifier.tell(&Callbacks::on_refused, "on_refused", refusal);
+  }
 }
 
 /// The user follows a numbered order by its number, whether or not a caller waits for the answer.

@@ -319,9 +319,13 @@ bool ConnectionLoop::wasTurnedAway(const Fault& fault) const {
 void ConnectionLoop::endConnection(const std::string& reason, const std::string& advice, FaultKind kind) {
   transport_->close();
   connected_ = TimePoint::max();
+  ConnectionStatus status = this->status();
+  if (connection_) {
+    connection_->status.state = ConnectionState::kDisconnected;
+    status = connection_->status;
+  }
   update(&Shared::streaming, false, &Callbacks::on_streaming, "on_streaming");
   update(&Shared::motors_and_posture, MotorsAndPosture(), &Callbacks::on_motors_and_posture, "on_motors_and_posture");
-  ConnectionStatus status = connection_ ? connection_->status : this->status();
   status.state = ConnectionState::kDisconnected;
   status.protocol_version = 0;
   status.robot = RobotInfo();

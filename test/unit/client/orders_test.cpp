@@ -114,6 +114,7 @@ TEST_F(Orders, ThatComeWhileTheConnectionEndsEndWithIt) {
       const auto later = std::chrono::steady_clock::now() + kSafetyNet;
       motion = self->beginMotion("NOD.MTN", 1, kSafetyNet, {later, 71});
       self->commandJoints({{1, 0.1}}, milliseconds(0), {later, 72});
+      self->commandJoints({{1, 0.2}}, milliseconds(0), {later, 73});  // replaces it
     }
   };
   RcServerClient client(optionsFor(server_), callbacks);
