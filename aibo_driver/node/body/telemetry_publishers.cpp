@@ -10,7 +10,7 @@ namespace {
 
 // The size of each subscriber's queue. This many messages can come at once after an outage of the radio
 // (rcserver_client.h).
-constexpr std::uint32_t kTelemetryQueueSize = 64;
+constexpr std::uint32_t kTelemetryQueueSize = 160;
 
 constexpr const char* kBaseFrame = "base_link";
 
