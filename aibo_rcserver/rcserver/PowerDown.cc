@@ -72,16 +72,20 @@ void PowerDown::Note(longword now) {
 // The motors go off when the robot has lain down. No client commands the robot any more, so it has lain down as soon as
 // it stops moving.
 void PowerDown::CarryOut(longword now) {
-  Note(now);
-  if (order_ == POWER_LIE_DOWN && !lies_down_ && body_->Motors().AreOn()) {
-    LieDown(now);
+  if (!IsOrdered()) {
+    return;
   }
-  const bool is_lying_down = order_ == POWER_LIE_DOWN && body_->Joints().Walking().IsActive();
-  const bool takes_too_long = is_lying_down && now - lies_down_since_ >= LYING_DOWN_FRAMES;
-  if (takes_too_long) {
+  Note(now);
+  if (order_ == POWER_LIE_DOWN && !was_told_to_lie_down_ && body_->Motors().AreOn()) {
+    LieDown();
+  }
+  if (order_ == POWER_LIE_DOWN && body_->Joints().Walking().IsActive()) {
+    if (now - noted_since_ < LYING_DOWN_FRAMES) {
+      return;
+    }
     OSYSLOG1((osyslogERROR, "RCServer: the robot does not lie down: it takes longer than 10 s"));
   }
-  if (IsOrdered() && (takes_too_long || (!is_lying_down && !MustWaitForFiles(now)))) {
+  if (!MustWaitForFiles(now)) {
     SwitchOff();
   }
 }
@@ -90,12 +94,11 @@ bool PowerDown::MustWaitForFiles(longword now) const {
   return files_.IsThere() && !files_.IsFree() && !IsOverdue(now);
 }
 
-void PowerDown::LieDown(longword now) {
+void PowerDown::LieDown() {
   Walker& walker = body_->Joints().Walking();
   const char* const problem = walker.CanWalk() ? walker.Problem(protocol::version2::POSTURE_REST)
                                                : "this kind of robot has no known way to lie down";
-  lies_down_ = true;
-  lies_down_since_ = now;
+  was_told_to_lie_down_ = true;
   if (problem == NULL) {
     body_->Joints().Take(protocol::version2::POSTURE_REST);
   } else {
@@ -112,6 +115,6 @@ void PowerDown::SwitchOff() {
   if (!body_->SwitchOff(reboots)) {
     order_ = POWER_STAYS_ON;
     is_noted_ = false;
-    lies_down_ = false;
+    was_told_to_lie_down_ = false;
   }
 }

@@ -12,15 +12,14 @@
 /// order. The motors go off at once, unless the robot has to lie down. After the client has been informed and has gone,
 /// the robot lies down or goes off.
 ///
-/// The pause button and the battery are observed as by the SDK's POWERMON.BIN. If neither this class nor that program
-/// does so, the pause button does nothing and the battery runs down. A battery that is being charged never counts as
-/// low.
+/// Either this class or the SDK's POWERMON.BIN has to observe the pause button and the battery. Otherwise, the button
+/// does nothing and the battery runs down. A battery that is being charged never counts as low.
 ///
 /// Times are OPEN-R frames.
 class PowerDown {
  public:
-  /// If the robot has not lain down after this many frames, its motors go off anyway: 10 s, twice the time that it
-  /// takes to lie down from any posture or walk.
+  /// If the robot has not lain down this many frames after the order, its motors go off anyway: 10 s. It needs half of
+  /// this time to lie down from any posture or walk.
   static const longword LYING_DOWN_FRAMES = 1250;
 
   /// Longest time, in frames, that a shutdown waits for the memory stick: 3 s, our choice. Without this wait, a file
@@ -36,8 +35,7 @@ class PowerDown {
         order_(POWER_STAYS_ON),
         is_noted_(false),
         noted_since_(0),
-        lies_down_(false),
-        lies_down_since_(0) {}
+        was_told_to_lie_down_(false) {}
 
   /// Call this once, before all other functions except Order().
   void Begin(Body* body) { body_ = body; }
@@ -65,13 +63,14 @@ class PowerDown {
   /// True if a client that waits for the memory stick must be dropped.
   bool IsOverdue(longword now) const { return is_noted_ && now - noted_since_ >= FILE_FRAMES; }
 
-  /// Call this when there is no client any more, and then in each frame. If this has been ordered, the robot lies down
-  /// and goes off: when it has lain down and the memory stick's job is done, or when this takes too long.
+  /// Carries out the order, if there is one. The robot lies down if it has to. It goes off when it has lain down and
+  /// the memory stick's job is done, or when this takes too long. Call this when there is no client any more, and then
+  /// in each frame.
   void CarryOut(longword now);
 
  private:
   bool MustWaitForFiles(longword now) const;
-  void LieDown(longword now);
+  void LieDown();
   void SwitchOff();
 
   const FileDesk& files_;
@@ -83,8 +82,7 @@ class PowerDown {
   PowerOrder order_;
   bool is_noted_;
   longword noted_since_;
-  bool lies_down_;  ///< the robot was told to lie down
-  longword lies_down_since_;
+  bool was_told_to_lie_down_;
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_POWER_DOWN_H
