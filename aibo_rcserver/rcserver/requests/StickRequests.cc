@@ -14,10 +14,10 @@ const protocol::FileName NO_NAME = "";
 
 }  // namespace
 
-StickRequests::StickRequests(MotionPlayer& player, FileOrder& files, ImageObserver& camera, Exchange& exchange)
+StickRequests::StickRequests(MotionPlayer& player, FileOrder& files, ImageObserver& pictures, Exchange& exchange)
     : player_(player),
       files_(files),
-      camera_(camera),
+      pictures_(pictures),
       exchange_(exchange),
       owes_file_(false),
       pending_(),
@@ -163,8 +163,8 @@ FileOrder::Outcome StickRequests::OrderPicture() {
   if (files_.Prepare() != FileOrder::PENDING) {
     return FileOrder::REFUSED;
   }
-  return camera_.RequestPicture(order) ? FileOrder::PENDING
-                                       : files_.Fail(FileOrder::REFUSED, ImageObserver::TOO_MANY_OWED);
+  return pictures_.RequestPicture(order) ? FileOrder::PENDING
+                                         : files_.Fail(FileOrder::REFUSED, ImageObserver::TOO_MANY_OWED);
 }
 
 void StickRequests::Answer(FileOrder::Outcome outcome) {

@@ -6,11 +6,13 @@
 #include "rcserver/requests/Exchange.h"
 #include "rcserver/requests/FileOrder.h"
 
-/// Only one request may wait for the memory stick. So all others can be handled at once, above all orders to stop.
+/// Carries out the requests that need the memory stick: for motions, and for pictures on it.
+///
+/// Only one of them may wait for the memory stick. So all others can be handled at once, above all orders to stop.
 /// FileDone() answers the request that waits.
 class StickRequests {
  public:
-  StickRequests(MotionPlayer& player, FileOrder& files, ImageObserver& camera, Exchange& exchange);
+  StickRequests(MotionPlayer& player, FileOrder& files, ImageObserver& pictures, Exchange& exchange);
 
   /// Call this for a new client, none of whose requests waits.
   void Begin() { owes_file_ = false; }
@@ -49,7 +51,7 @@ class StickRequests {
 
   MotionPlayer& player_;
   FileOrder& files_;
-  ImageObserver& camera_;
+  ImageObserver& pictures_;
   Exchange& exchange_;
   bool owes_file_;                           ///< pending_ must be answered with a file
   protocol::version2::FrameHeader pending_;  ///< the request that waits for the memory stick; kind 0: it has ended

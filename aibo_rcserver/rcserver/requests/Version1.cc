@@ -12,12 +12,12 @@ using robot_model::NO_JOINT;
 
 const int Version1::IDENTIFIERS;
 
-Version1::Version1(const Robot& robot, const Settings& settings, FileOrder& files, ImageObserver& camera,
+Version1::Version1(const Robot& robot, const Settings& settings, FileOrder& files, ImageObserver& pictures,
                    Outbox& outbox, unsigned char* upload_buffer)
     : robot_(robot),
       settings_(settings),
       files_(files),
-      camera_(camera),
+      pictures_(pictures),
       outbox_(outbox),
       request_(),
       upload_buffer_(upload_buffer) {
@@ -58,9 +58,9 @@ bool Version1::Execute() {
   const PictureOrder order = {limitJpegQuality(request_.basic.identifier), 0, 0, false, false};
   switch (request_.basic.command) {
     case REQUEST_PICTURE:
-      return camera_.RequestPicture(order);
+      return pictures_.RequestPicture(order);
     case REQUEST_STREAM_TOGGLE:
-      camera_.IsStreaming() ? camera_.StopStream() : camera_.StartStream(order, 1);
+      pictures_.IsStreaming() ? pictures_.StopStream() : pictures_.StartStream(order, 1);
       return true;
     case REQUEST_JOINT:
       return MoveOrReadJoints();

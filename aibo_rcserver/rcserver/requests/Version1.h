@@ -14,8 +14,8 @@
 /// complete, so an interrupted upload leaves nothing behind.
 class Version1 {
  public:
-  /// @param upload_buffer mtn::MAX_FILE_SIZE bytes, used only in version 1.
-  Version1(const Robot& robot, const Settings& settings, FileOrder& files, ImageObserver& camera, Outbox& outbox,
+  /// @param upload_buffer mtn::MAX_FILE_SIZE bytes, used only in version 1
+  Version1(const Robot& robot, const Settings& settings, FileOrder& files, ImageObserver& pictures, Outbox& outbox,
            unsigned char* upload_buffer);
 
   /// Call this for a new client. No upload is under way, and the block that `S` reads holds all joints and sensors.
@@ -67,7 +67,7 @@ class Version1 {
   const Robot& robot_;
   const Settings& settings_;
   FileOrder& files_;
-  ImageObserver& camera_;
+  ImageObserver& pictures_;
   Outbox& outbox_;
   protocol::Request request_;      ///< the one that is handled, or waits for its content or the memory stick
   bool is_left_out_[IDENTIFIERS];  ///< true: the value is not in the block that `S` reads

@@ -25,14 +25,14 @@ void CopyText(const char* text, char (&out)[MAX_HELLO_TEXT_SIZE + 1]) {
 
 }  // namespace
 
-Version2::Version2(const Robot& robot, const Settings& settings, FileOrder& files, ImageObserver& camera,
+Version2::Version2(const Robot& robot, const Settings& settings, FileOrder& files, ImageObserver& pictures,
                    Outbox& outbox)
     : robot_(robot),
       exchange_(settings, robot.joints.Orders(), outbox),
-      stick_(robot.joints.Motions(), files, camera, exchange_),
+      stick_(robot.joints.Motions(), files, pictures, exchange_),
       moves_(robot, stick_, exchange_),
       telemetry_(robot, exchange_),
-      camera_(robot, camera, exchange_),
+      camera_(robot, pictures, exchange_),
       sound_(robot.microphone, robot.speaker, exchange_) {
   char* end = capabilities_;
   for (const Row* row = ROWS; row->request != NULL; ++row) {

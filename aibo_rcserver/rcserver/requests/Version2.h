@@ -14,7 +14,7 @@
 /// (docs/protocol.md).
 class Version2 {
  public:
-  Version2(const Robot& robot, const Settings& settings, FileOrder& files, ImageObserver& camera, Outbox& outbox);
+  Version2(const Robot& robot, const Settings& settings, FileOrder& files, ImageObserver& pictures, Outbox& outbox);
 
   /// Call this for a new client, which gets no messages that it has not asked for.
   void Begin();
