@@ -410,7 +410,9 @@ void RCServer::Admit(Connection* newcomer) {
     TurnAway(newcomer, "the robot goes off");
     return;
   }
-  newcomer_ = newcomer == newcomer_ ? NULL : newcomer_;
+  if (newcomer == newcomer_) {
+    newcomer_ = NULL;
+  }
   client_ = newcomer;
   const Signs signs = {Now(), Now(), Now(), Now(), false, Now()};
   signs_ = signs;

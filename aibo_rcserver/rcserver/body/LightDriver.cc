@@ -36,7 +36,7 @@ OCommandValue CommandOf(bool is_drawn, EarKind kind) {
 
 const int LightDriver::EAR_FRAMES;
 
-LightDriver::LightDriver(const robot_model::RobotModel& robot) : robot_(robot) {
+LightDriver::LightDriver(const RobotModel& robot) : robot_(robot) {
   for (int i = 0; i < MAX_LEDS; ++i) {
     leds_[i] = OFF;
     commanded_[i] = OFF;

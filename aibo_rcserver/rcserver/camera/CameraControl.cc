@@ -8,7 +8,7 @@ using namespace protocol::version2;
 
 namespace {
 
-// An ERS-7 and an ERS-210 have the same locator (Model Information).
+// The locator of the camera is the same on an ERS-7 and an ERS-210 (Model Information).
 const char LOCATOR[] = "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1";
 const int CAMERA = 0;
 

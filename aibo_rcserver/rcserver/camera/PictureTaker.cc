@@ -21,11 +21,11 @@ bool FindBands(OFbkImageVectorData* image_vector, OFbkImageLayer layer, const OF
   return true;
 }
 
-// Copies the rows of several planes of this size alternately.
-void CopyRows(OFbkImage& size, const unsigned char* const* planes, size_t count, unsigned char* out) {
-  const size_t width = static_cast<size_t>(size.Width());
-  const size_t stride = width + static_cast<size_t>(size.Skip());
-  for (size_t row = 0; row < static_cast<size_t>(size.Height()); ++row) {
+// Copies the rows of several planes alternately. All planes have the size of this image.
+void CopyRows(const OFbkImage& image, const unsigned char* const* planes, size_t count, unsigned char* out) {
+  const size_t width = static_cast<size_t>(image.Width());
+  const size_t stride = width + static_cast<size_t>(image.Skip());
+  for (size_t row = 0; row < static_cast<size_t>(image.Height()); ++row) {
     for (size_t plane = 0; plane < count; ++plane) {
       memcpy(out, planes[plane] + row * stride, width);
       out += width;

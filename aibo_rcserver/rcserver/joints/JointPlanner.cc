@@ -27,7 +27,7 @@ int CoupledLowest(const Coupling& coupling, const JointPath::Span& leader) {
 
 }  // namespace
 
-JointPlanner::JointPlanner(const robot_model::RobotModel& robot) : robot_(robot), last_command_(NO_COMMAND) {
+JointPlanner::JointPlanner(const RobotModel& robot) : robot_(robot), last_command_(NO_COMMAND) {
   int posture[MAX_JOINTS] = {0};
   clampPosture(robot_, posture);
   for (int i = 0; i < robot_.number_of_joints; ++i) {

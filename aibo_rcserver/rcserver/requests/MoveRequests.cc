@@ -15,10 +15,11 @@ double WholeThousandths(double value) {
 
 // In the order of JointWatch::Verdict.
 const char* const FAULTS[] = {
-    "follows its commands",
+    NULL,
     "is jammed: its motor pushes, but it does not move. It is held in place until the next command to it",
     "does not follow its commands. It is held in place until the next command to it",
-    "is limp: its motor got no gain. Switch the motors off and on again; the robot's console has the reason"};
+    "is limp: its motor got no gain. Switch the motors off and on again; the robot's console has the reason",
+};
 
 }  // namespace
 

@@ -38,6 +38,7 @@ void FallWatch::Look(const Reading& reading, bool stands, unsigned frame) {
 }
 
 const char* FallWatch::Words(Verdict verdict) {
+  // In the order of Verdict.
   static const char* const WORDS[] = {NULL, "the robot lies on its left side", "the robot lies on its right side",
                                       "the robot lies on its back",
                                       "the robot is carried: none of its paws touches the floor"};

@@ -24,7 +24,7 @@ int Microradians(double angle) {
 
 const int LegJoints::COUNT;
 
-LegJoints::LegJoints(JointPlanner& planner, const robot_model::RobotModel& robot)
+LegJoints::LegJoints(JointPlanner& planner, const RobotModel& robot)
     : planner_(planner), robot_(robot), are_there_(strcmp(robot.design, "ERS-7") == 0) {
   for (int i = 0; i < COUNT; ++i) {
     const Leg leg = static_cast<Leg>(i / JOINTS_OF_A_LEG);

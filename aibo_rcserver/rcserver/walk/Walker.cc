@@ -92,7 +92,7 @@ const int Walker::UNLOADED_SPEED;
 const int Walker::ATTEMPTS;
 const int Walker::STEERING_FRAMES;
 
-Walker::Walker(JointPlanner& planner, const robot_model::RobotModel& robot, OrderBook& orders)
+Walker::Walker(JointPlanner& planner, const RobotModel& robot, OrderBook& orders)
     : planner_(planner),
       robot_(robot),
       postures_(gait_),
