@@ -22,7 +22,7 @@ class StickFiles {
   /// The highest number in a picture's name: AIBO9999.JPG.
   static const int HIGHEST_NUMBER = 9999;
 
-  /// @param host the host, which gives the folder of the memory stick; must outlive the object
+  /// @param host the host, which gives the folder of the memory stick
   explicit StickFiles(const HostSettings& host) : host_(host) {}
 
   /// Carries out a job.

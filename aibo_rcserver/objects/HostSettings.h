@@ -13,9 +13,8 @@ struct HostSettings {
   HostSettings();
 
   int newest_version;        ///< newest protocol version that clients may ask for: 1 or 2
-  const char* memory_stick;  ///< the folder with the memory stick's content; has to outlive the server
-  /// Bytes that still fit onto a simulated stick; has to outlive the server. It is NULL on the robot, whose own file
-  /// system knows.
+  const char* memory_stick;  ///< the folder with the memory stick's content
+  /// Bytes that still fit onto a simulated stick. It is NULL on the robot, whose own file system knows.
   const size_t* room;
   /// Opens a file on the stick for reading in binary mode; returns NULL if that is not possible. A simulator must not
   /// wait, as it would for a pipe.

@@ -22,7 +22,7 @@ class RegionSender {
   }
 
   /// Call this in DoInit, after NEW_ALL_SUBJECT_AND_OBSERVER.
-  /// @param subject a gate with one observer; must outlive the object
+  /// @param subject a gate with one observer
   /// @return false if the memory cannot be allocated
   bool Create(OSubject* subject) {
     subject_ = subject;
@@ -88,7 +88,7 @@ class HeldRegion {
  public:
   HeldRegion() : region_(NULL), observer_(NULL) {}
 
-  /// @param observer the observer through which the Content has come; must outlive the object
+  /// @param observer the observer through which the Content has come
   void Hold(const ONotifyEvent& event, OObserver* observer) {
     region_ = event.RCData(0);
     region_->AddReference();

@@ -27,7 +27,7 @@ class FrameReader {
     FRAME_TOO_LARGE    ///< header() announces more than the buffer holds: a protocol error, so close the connection
   };
 
-  /// @param buffer room for one payload; must outlive the reader
+  /// @param buffer room for one payload
   /// @param capacity the largest payload, in bytes: MAX_PAYLOAD_TOWARDS_CLIENT in a client, MAX_PAYLOAD_TOWARDS_ROBOT
   ///   in a server
   FrameReader(unsigned char* buffer, size_t capacity);

@@ -12,7 +12,7 @@
 #include "rcserver/camera/ColorCounter.h"
 #include "rcserver/joints/OrderBook.h"
 
-/// Messages in order. A message that does not fit is dropped.
+/// Messages in order, in a fixed memory. A message that does not fit is dropped.
 template <size_t CAPACITY>
 class MessageQueue {
  public:
@@ -49,8 +49,8 @@ class MessageQueue {
   size_t size_;
 };
 
-/// Keeps all replies in order, sound while there is room, and only the latest telemetry and colours. Its memory has a
-/// fixed size.
+/// The messages that wait to be sent to the client, without pictures and files. It keeps all replies in order, sound
+/// while there is room, and only the latest telemetry and colours. Its memory has a fixed size.
 class Outbox {
  public:
   /// Bytes of the largest message: a list of motions in version 2. (MAX_MESSAGE_SIZE is a macro of the SDK.)

@@ -68,7 +68,7 @@ class Session {
   }
 
   /// Ends the session because the robot goes off. A client of version 2 gets the reason.
-  /// @param reason the reason in words; must outlive the object
+  /// @param reason the reason in words
   void RobotGoesOff(const char* reason);
 
   /// Asks a client of version 2 for a sign of life: it answers an empty `h` at once.

@@ -24,6 +24,7 @@ class JointDriver : public MotorSwitch {
 
   virtual bool AreOn() const { return state_ != OFF; }
   virtual bool Switch(bool on);
+
   bool HasCommand() const;
 
   /// Adds commands to all joints.

@@ -12,7 +12,8 @@
 /// Stands for a robot whose parts cannot be opened: without joints, sensors, LEDs and ears.
 const robot_model::RobotModel EMPTY_ROBOT = {"", 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 
-/// Opens the primitives of a table and finds them again.
+/// Opens the primitives of a table and finds them again. OPEN-R calls the robot's joints, sensors, LEDs, ears and so on
+/// its primitives, and each report and command names one by its id.
 class Primitives {
  public:
   static const int MAX_ROWS = 32;

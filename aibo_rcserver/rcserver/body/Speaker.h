@@ -32,6 +32,7 @@ class Speaker {
     return sound_.is_playing && !sound_.has_last && Room() > protocol::version2::SPEAKER_CAPACITY / 2;
   }
 
+  /// Call this on READY: it sends the next vectors.
   void IsReady();
 
   /// Takes out the report of a sound that has ended.

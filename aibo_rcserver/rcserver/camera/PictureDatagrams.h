@@ -62,6 +62,7 @@ class PictureDatagrams : public DatagramSwitch {
   virtual bool SendTo(const protocol::version2::DatagramOrder& order);
   virtual void Stop();
   virtual void HandOver();
+
   bool IsOn() const { return order_.port != 0 && !order_.is_test; }
   bool HasPicture() const { return is_sending_ || HasUnsent(); }
 

@@ -13,6 +13,8 @@
 class FileJobs {
  public:
   virtual ~FileJobs() {}
+
+  /// False if FileKeeper does not run.
   virtual bool IsThere() const = 0;
 
   /// Begins a job. If FileKeeper is still working for an earlier client, the job waits. A client may have only one job

@@ -21,6 +21,7 @@ class FileOrder {
     REFUSED,      ///< any other failure, such as a full memory stick
     FILE_MISSING  ///< there is no such file, or it cannot be read
   };
+
   static const size_t MAX_PROBLEM_SIZE = 256;
 
   FileOrder(FileJobs& jobs, JointControl& joints, const MotorSwitch& motors);

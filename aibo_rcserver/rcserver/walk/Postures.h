@@ -32,6 +32,7 @@ class Postures {
     PUSH_RIGHT,
     NUMBER_OF_STAGES
   };
+
   static const int MAX_ROUTE = 5;
 
   /// @param gait the gait, whose posture at zero velocity is standing

@@ -66,9 +66,9 @@ class WalkGuard {
 
     void TurnTo(double angle);
   };
+
   static const int MOST_POSES = 48;
   static const int MOST_EDGES = 32;
-
   static const int CORNERS = 4;
 
   struct Place {
