@@ -167,6 +167,15 @@ TEST_F(DatagramsTest, NonsenseIsCountedLoggedOnceAndDoesNoHarm) {
   EXPECT_EQ(1, logged("that is dropped"));
 }
 
+TEST_F(DatagramsTest, APictureMayBe256AheadOfTheLastOne) {
+  arrive(nextPicture());
+  for (const unsigned ahead : {256U, 257U}) {
+    unsigned sequence = order_.first_sequence + 1000;
+    arrive(makeDatagrams(makeJpeg(1), numberOf(picture_) + ahead, frameOf(picture_), &sequence).front());
+    EXPECT_EQ(ahead - 256, counters_.bad_datagrams) << ahead;
+  }
+}
+
 // Pictures in the robot's name that it never sent: whole ones that are no JPEGs, and incomplete ones, with numbers far
 // ahead or a little ahead.
 TEST_F(DatagramsTest, ForgedOnesDoNotStopTheStream) {
@@ -205,6 +214,7 @@ TEST_F(DatagramsTest, OnlyGoodPicturesPostponeTheReturnToTcp) {
   live(milliseconds(1300),
        [this] { arrive(makeDatagrams(Bytes(100, 'x'), numberOf(++picture_), kFrame, &sequence_)); });
   EXPECT_THAT(connection_.status.transport_problem, testing::HasSubstr("datagrams come, but no good picture"));
+  EXPECT_THAT(log_.back(), testing::StartsWith("robot:54321 sends its pictures by TCP, not by UDP")) << "a warning";
   EXPECT_EQ(PictureTransport::kTcp, connection_.status.transport);
 }
 
@@ -284,6 +294,7 @@ TEST_F(DatagramsTest, APartIsAskedForOnceWhenALaterOneShowsThatItIsLost) {
   EXPECT_THAT(delivered(), IsEmpty());
   arrive(repeated(picture[1]));
   EXPECT_THAT(delivered(), ElementsAre(1));
+  EXPECT_EQ(1u, counters_.lost_datagrams);
   EXPECT_EQ(0u, counters_.lost_pictures);
 }
 

@@ -4,6 +4,8 @@
 #include <stdexcept>
 
 #include "client_fixture.h"
+#include "datagrams_fixture.h"
+#include "support/udp_socket.h"
 
 using namespace aibo_client;
 using std::chrono::milliseconds;
@@ -152,6 +154,31 @@ TEST_F(RcServerClientTest, WithVersion1AsAnOptionTheServerIsNotAskedForItsVersio
   ScriptedPeer peer = server_.accept();
   expectCommand(&peer, 'F', 73);
   EXPECT_EQ(ConnectionState::kConnecting, client.status().state) << "it has not answered";
+}
+
+TEST_F(RcServerClientTest, AServerThatDoesNotAnswerToVersion2IsAskedForAPicture) {
+  client_.start();
+  ScriptedPeer peer = server_.accept();
+  expectCommand(&peer, 'X', 2);
+  expectCommand(&peer, 'F', 73);
+  peer.sendPicture(test_pictures::make());
+  EXPECT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
+  EXPECT_EQ(1, client_.status().protocol_version);
+}
+
+TEST_F(RcServerClientTest, DatagramsOfAnotherAddressAreOnlyCounted) {
+  client_.setStreaming(true);
+  client_.setPictureTransport(PictureTransport::kUdp);
+  ScriptedPeer peer = connectVersion2("F W B");
+  const version2_frames::Frame request = peer.readRequest();
+  protocol::version2::DatagramOrder order = {};
+  ASSERT_EQ(nullptr, decode(request.payload.data(), request.payload.size(), &order));
+  test_support::UdpSocket stranger("127.0.0.2");
+  stranger.send(order.port, makeDatagrams(makeJpeg(1), order.first_picture, 1000, &order.first_sequence)[0]);
+  test_support::UdpSocket("127.0.0.1").send(order.port, {'?'});
+  EXPECT_TRUE(eventually([this] { return client_.statistics().bad_datagrams == 1; }));
+  EXPECT_EQ(1u, client_.statistics().foreign_datagrams);
+  EXPECT_EQ(0u, client_.statistics().datagrams);
 }
 
 TEST_F(RcServerClientTest, WhatARobotSaidBeforeItWentOffStaysUntilItAnswersAgain) {

@@ -155,6 +155,17 @@ TEST_F(ConnectionsTest, ClientsThatComeAndGoAreReportedOnceASecondAfterAFew) {
   EXPECT_THAT(console_.str(), AllOf(HasSubstr("lines about clients were left out"), HasSubstr("is connected")));
 }
 
+TEST_F(ConnectionsTest, AFirstRequestOfAWrongSizeIsAnsweredAndCounts) {
+  auto client = connect();
+  client->send(request('J', 2, 100) + "?");
+  EXPECT_EQ(awaitLetter(*client), 'e');
+  passFrames(260);
+  auto newcomer = connect();
+  passFrames(4);
+  EXPECT_TRUE(newcomer->ended());
+  EXPECT_TRUE(isServed(*client));
+}
+
 TEST_F(ConnectionsTest, ClientThatAsksForNothingLosesItsPlaceAfterTwoSeconds) {
   connectServed()->close();  // the one before it has asked for something, and left long ago
   passFrames(1300);

@@ -55,6 +55,7 @@ const Cell kCells[] = {
     {kStream, request('F', 20), {20, 80, 80}},
     {kStream, request('W', 30), {0, 0, 0}},
     {kStream, "", {80, 80, 80}},
+    {kStream + kStream, request('F', 20), {20, 0, 0}},
     {kStream + kStream, request('W', 30), {30, 30, 30}},
     {kStream + kStream, "", {0, 0}},
     {kStream + kPicture + kStream, "", {0, 70, 0, 0}},
