@@ -150,7 +150,7 @@ void ConnectionLoop::beginSession() {
   if (answer == VersionAnswer::kVersion2) {
     session_ = std::make_unique<Version2Session>(*connection_, connected_);
   } else {
-    session_ = std::make_unique<Version1Session>(*connection_, habits_, answer, connected_);
+    session_ = std::make_unique<Version1Session>(*connection_, answer, connected_);
   }
   session_->bytesArrived(bytes.data(), bytes.size(), steady_clock::now());
 }

@@ -54,10 +54,8 @@ short toCentidegrees(double radian) {
 
 }  // namespace
 
-Version1Session::Version1Session(Connection& connection, ServerHabits& habits, VersionAnswer answer,
-                                 TimePoint connected)
+Version1Session::Version1Session(Connection& connection, VersionAnswer answer, TimePoint connected)
     : connection_(connection),
-      habits_(habits),
       is_version_answer_pending_(answer == VersionAnswer::kNone),
       poll_due_(connected),
       ready_(answer == VersionAnswer::kVersion1) {
@@ -71,16 +69,6 @@ Version1Session::Version1Session(Connection& connection, ServerHabits& habits, V
       polled_.push_back({protocol::REQUEST_SENSOR, model.sensors[i].identifier});
     }
   }
-  for (const auto& [letter, unanswered] : habits_.unanswered_polls) {
-    if (unanswered >= ServerHabits::kUnansweredPollsLimit) {
-      dropPolled([letter = letter](const PolledValue& value) { return value.letter == letter; });
-    }
-  }
-}
-
-template <typename Condition>
-void Version1Session::dropPolled(const Condition& condition) {
-  polled_.erase(std::remove_if(polled_.begin(), polled_.end(), condition), polled_.end());
 }
 
 // While a picture is pending, a toggle would have to wait for the picture anyway. A second `F` would make it unclear
@@ -286,12 +274,12 @@ void Version1Session::onError(int code) {
 void Version1Session::onValueRefused(int code) {
   const ValueRequest request = *std::exchange(pending_value_, std::nullopt);
   if (!request.set) {
-    habits_.unanswered_polls.erase(request.letter);
     if (request.letter == protocol::REQUEST_JOINT && measured_joints_.erase(request.id) > 0) {
       connection_.refused("to move joint " + std::to_string(request.id) + ": " + kJointFault);
       return;
     }
-    dropPolled([&](const PolledValue& value) { return value.letter == request.letter && value.id == request.id; });
+    const auto is_lacking = [&](const PolledValue& each) { return each.letter == request.letter && each.id == request.id; };
+    polled_.erase(std::remove_if(polled_.begin(), polled_.end(), is_lacking), polled_.end());
   }
   const std::optional<RefusedRequest> kind = refusedRequest(request.letter);
   if (!request.set || !kind) {
@@ -345,7 +333,6 @@ void Version1Session::onValue(const protocol::ValueReply& reply) {
     }
     return;
   }
-  habits_.unanswered_polls.erase(request.letter);
   Telemetry telemetry;
   telemetry.arrival = parser_.firstByteTime();
   if (request.letter == protocol::REQUEST_JOINT) {
@@ -381,7 +368,8 @@ void Version1Session::checkDeadlines(TimePoint now) {
     throw Fault::silent(connection_.context.address, connection_.context.read_timeout);
   }
   if (now >= valueDeadline()) {
-    failUnanswered();
+    throw Fault::unanswered(connection_.context.address, describe(pending_value_->letter, pending_value_->id),
+                            connection_.answerLimit());
   }
   checkCalls(now);
 }
@@ -397,17 +385,6 @@ void Version1Session::checkCalls(TimePoint now) {
   if (fault) {
     throw Fault(*fault);
   }
-}
-
-void Version1Session::failUnanswered() {
-  const ConnectionContext& context = connection_.context;
-  const char letter = pending_value_->letter;
-  if (!pending_value_->set && ++habits_.unanswered_polls[letter] == ServerHabits::kUnansweredPollsLimit) {
-    const std::string parts = std::string(partOf(letter)) + "s";
-    context.warn("does not answer when it is asked for its " + parts +
-                 ". It is not asked again, so there will be no telemetry of its " + parts);
-  }
-  throw Fault::unanswered(context.address, describe(letter, pending_value_->id), connection_.answerLimit());
 }
 
 Session::TimePoint Version1Session::nextDeadline() const {

@@ -18,15 +18,6 @@
 
 namespace aibo_client {
 
-/// What is remembered of a version 1 server from one connection to the next.
-struct ServerHabits {
-  /// After this many polls for joints in a row without an answer, although the server sends other things, the client
-  /// does not ask for joints any more. The same holds for sensors.
-  static constexpr int kUnansweredPollsLimit = 3;
-
-  std::map<char, int> unanswered_polls;  ///< by the request's letter, how many in a row; each ended a connection
-};
-
 /// A session with a version 1 server.
 ///
 /// At most one request is unanswered at any time. Replies have no numbers, so the client could not tell which request a
@@ -45,7 +36,7 @@ class Version1Session final : public Session {
   static constexpr std::chrono::milliseconds kLongestPollWait{250};
 
   /// @param answer not kVersion2
-  Version1Session(Connection& connection, ServerHabits& habits, VersionAnswer answer, TimePoint connected);
+  Version1Session(Connection& connection, VersionAnswer answer, TimePoint connected);
 
   int protocolVersion() const override { return 1; }
   bool ready() const override { return ready_; }
@@ -79,8 +70,6 @@ class Version1Session final : public Session {
   Bytes requestTrial(const Settings& wanted, TimePoint now);
   bool mayRequestPicture(TimePoint now) const;
   bool mayPoll() const { return poll_wanted_ && !polled_.empty(); }
-  template <typename Condition>
-  void dropPolled(const Condition& condition);
   Bytes requestPicture(const Settings& wanted, Call* call, TimePoint now);
   Bytes requestCall(Call* call, TimePoint now);
   Bytes nextValueRequest(TimePoint now);
@@ -102,12 +91,10 @@ class Version1Session final : public Session {
   TimePoint silenceLimit() const;
   TimePoint valueDeadline() const;
   void checkCalls(TimePoint now);
-  void failUnanswered();
 
   static constexpr int kPendingNumber = 1;  // the request number of the call that was sent and has not been answered
 
   Connection& connection_;
-  ServerHabits& habits_;
   ReplyParser parser_;
   TimePoint now_;  // when the bytes that are being parsed were read
   std::optional<ValueRequest> pending_value_;

@@ -72,7 +72,7 @@ class Client {
   }
 
   void beginVersion1(VersionAnswer answer) {
-    session_ = std::make_unique<Version1Session>(connection_, habits_, answer, now_);
+    session_ = std::make_unique<Version1Session>(connection_, answer, now_);
   }
 
   void negotiate() {
@@ -281,7 +281,6 @@ class Client {
   std::vector<bool> is_over_;  ///< the index of an order is its number - 1
   Notifier notifier_{callbacks()};
   ClientStatistics counters_;
-  ServerHabits habits_;
   Settings wanted_{false, 85, 0};
   ColorTablePtr table_ = std::make_shared<ColorTable>();
   Session::TimePoint now_ = Session::TimePoint() + milliseconds(100000);

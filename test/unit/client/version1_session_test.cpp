@@ -39,8 +39,7 @@ class Version1SessionTest : public SessionFixture {
 
   void receivePicture(unsigned number) { receive(test_pictures::makeReply(test_pictures::makeNumbered(number))); }
 
-  ServerHabits habits_;
-  Version1Session session_{connection_, habits_, VersionAnswer::kVersion1, now_};
+  Version1Session session_{connection_, VersionAnswer::kVersion1, now_};
 };
 
 /// For the rows of tables.
@@ -312,7 +311,7 @@ class SilentServerTest : public Version1SessionTest {
  protected:
   Session& session() override { return silent_; }
 
-  Version1Session silent_{connection_, habits_, VersionAnswer::kNotAsked, now_};
+  Version1Session silent_{connection_, VersionAnswer::kNotAsked, now_};
 };
 
 // Connections to a stopped process succeed, too.
