@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "client/fault.h"
-#include "client/picture_intake.h"
 #include "client/possible_values.h"
 #include "protocol/color_requests.h"
 
@@ -73,9 +72,7 @@ void ColorIntake::dropImpossible(DetectedColors* colors) {
 
 void ColorIntake::complain(const std::string& problem) {
   ++context_.counters.impossible_values;
-  if (!std::exchange(impossible_is_logged_, true)) {
-    context_.warn("sent impossible colours, which are dropped: " + problem);
-  }
+  context_.warnOnce("colours", "sent impossible colours, which are dropped: " + problem);
 }
 
 }  // namespace aibo_client

@@ -9,10 +9,9 @@
 #include <string>
 
 #include "aibo_client/colors.h"
+#include "client/notifier.h"
 
 namespace aibo_client {
-
-struct ConnectionContext;
 
 /// The tables of the colour detection, by channel. A channel without a table is null.
 using ColorTables = std::array<ColorTablePtr, kMostColorChannels>;
@@ -46,7 +45,6 @@ class ColorIntake {
   const ConnectionContext& context_;
   ColorDetection detection_;
   std::optional<DetectedColors> newest_;
-  bool impossible_is_logged_ = false;
 };
 
 }  // namespace aibo_client

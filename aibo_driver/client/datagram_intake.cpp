@@ -11,7 +11,6 @@ namespace version2 = protocol::version2;
 
 void DatagramIntake::begin(const Start& start, TimePoint now) {
   DatagramIntake next(*context_);  // without the state of the previous request
-  next.warned_ = warned_;
   next.on_ = next.used_ = true;
   next.start_ = start;
   next.last_datagram_ = now;
@@ -106,10 +105,7 @@ DatagramIntake::TimePoint DatagramIntake::nextLook() const {
 
 void DatagramIntake::refuse(const std::string& problem) {
   ++context_->counters.bad_datagrams;
-  if (!warned_) {
-    warned_ = true;
-    context_->warn("sent a datagram that is dropped (" + problem + "); further ones are only counted");
-  }
+  context_->warnOnce("datagram", "sent a datagram that is dropped (" + problem + "); further ones are only counted");
 }
 
 DatagramIntake::TimePoint DatagramIntake::deadline(std::chrono::milliseconds extra_interval) const {

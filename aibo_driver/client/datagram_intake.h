@@ -118,7 +118,6 @@ class DatagramIntake {
   bool on_ = false;
   Start start_;
   bool used_ = false;
-  bool warned_ = false;
   TimePoint last_datagram_;  // when the last datagram came
   TimePoint good_picture_;   // when the last good picture came, or since when one is due
   /// When something first came by TCP while good pictures were missing for kMissing.

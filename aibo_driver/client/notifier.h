@@ -3,13 +3,16 @@
 #define AIBO_DRIVER_CLIENT_NOTIFIER_H
 
 #include <chrono>
+#include <cstdint>
 #include <exception>
 #include <functional>
+#include <set>
 #include <string>
 #include <type_traits>
 #include <utility>
 
 #include "aibo_client/callbacks.h"
+#include "aibo_client/status.h"
 #include "system/rate_limit.h"
 
 namespace aibo_client {
@@ -62,6 +65,28 @@ class Notifier {
   Callbacks callbacks_;
   Clock clock_;
   mutable aibo_system::RateLimit log_limit_{kLogBurst};
+};
+
+/// What the parts of a connection need to know about their client.
+struct ConnectionContext {
+  std::string address;                     ///< the server's address, for messages
+  std::chrono::milliseconds read_timeout;  ///< a server that owes a picture may be silent for this long
+  const Notifier& notifier;
+  ClientStatistics& counters;
+  std::uint64_t number = 0;  ///< the number of the connection; the client's first one is 1
+
+  /// Logs what the server did, for example "ADDRESS sent something strange.".
+  void warn(const std::string& what) const { notifier.log(LogLevel::kWarn, address + " " + what + "."); }
+
+  /// Does the same, but only once over this connection.
+  /// @param subject what the line is about; only few are possible
+  void warnOnce(const std::string& subject, const std::string& what) const {
+    if (warned.insert(subject).second) {
+      warn(what);
+    }
+  }
+
+  mutable std::set<std::string> warned{};  ///< the subjects of warnOnce()
 };
 
 }  // namespace aibo_client

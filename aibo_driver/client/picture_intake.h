@@ -9,23 +9,10 @@
 #include <vector>
 
 #include "aibo_client/camera.h"
-#include "aibo_client/status.h"
 #include "client/notifier.h"
 #include "client/stall_detector.h"
 
 namespace aibo_client {
-
-/// What the parts of a connection need to know about their client.
-struct ConnectionContext {
-  std::string address;                     ///< the server's address, for messages
-  std::chrono::milliseconds read_timeout;  ///< a server that owes a picture may be silent for this long
-  const Notifier& notifier;
-  ClientStatistics& counters;
-  std::uint64_t number = 0;  ///< the number of the connection; the client's first one is 1
-
-  /// Logs what the server did, for example "ADDRESS sent something strange.".
-  void warn(const std::string& what) const { notifier.log(LogLevel::kWarn, address + " " + what + "."); }
-};
 
 /// Checks and delivers the pictures of one connection. It knows whether a stream is on, and which pictures are good and
 /// fresh.

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "client/fault.h"
-#include "client/picture_intake.h"
 #include "protocol/sound_requests.h"
 #include "protocol/version2.h"
 #include "robot_model/robot_model.h"
@@ -39,9 +38,8 @@ void SoundIntake::heard(const unsigned char* payload, std::size_t size, std::chr
   const unsigned frames = std::max(1U, (pushed.count + frameSize() - 1) / frameSize());
   if (!limit_.admit(arrival, kFrame / 2, static_cast<int>(frames)).is_admitted) {
     ++context_.counters.thinned_sounds;
-    if (!std::exchange(excess_is_logged_, true)) {
-      context_.warn("sends more than twice as much sound as it was asked to; the rest is dropped and counted");
-    }
+    context_.warnOnce("sound",
+                      "sends more than twice as much sound as it was asked to; the rest is dropped and counted");
     return;
   }
   HeardSound sound;

@@ -8,11 +8,10 @@
 #include <optional>
 
 #include "aibo_client/sound.h"
+#include "client/notifier.h"
 #include "system/rate_limit.h"
 
 namespace aibo_client {
-
-struct ConnectionContext;
 
 /// Samples of a sound that were sent to the robot. If there are none, the sound was stopped.
 struct SoundPart {
@@ -68,7 +67,6 @@ class SoundIntake {
   std::chrono::steady_clock::time_point began_;  ///< when the first sound came since next_frame_ was empty
   std::uint64_t frames_ = 0;                     ///< frames that came or were missing since began_
   aibo_system::RateLimit limit_{kMostFrames};
-  bool excess_is_logged_ = false;
   std::optional<SoundPart> playing_;  ///< the newest part of the sound that plays
   std::uint64_t ended_ = 0;           ///< the newest sound whose end was reported
 };

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "aibo_client/names.h"
-#include "client/picture_intake.h"
 #include "robot_model/robot_model.h"
 
 namespace aibo_client {
@@ -48,9 +47,8 @@ bool TelemetryIntake::comesTooOften(const Telemetry& telemetry) {
     return false;
   }
   ++context_.counters.thinned_telemetry;
-  if (!std::exchange(thinning_is_logged_, true)) {
-    context_.warn("sends measurements more than twice as often as it was asked to; the rest is dropped and counted");
-  }
+  context_.warnOnce("measurements",
+                    "sends measurements more than twice as often as it was asked to; the rest is dropped and counted");
   return true;
 }
 
@@ -100,9 +98,7 @@ bool TelemetryIntake::isPossible(double value, const ValueRange& range, const Na
 
 void TelemetryIntake::complain(const std::string& name, const std::string& problem) {
   ++context_.counters.impossible_values;
-  if (logged_.insert(name).second) {
-    context_.warn("sent an impossible value, which is dropped: " + name + " " + problem);
-  }
+  context_.warnOnce(name, "sent an impossible value, which is dropped: " + name + " " + problem);
 }
 
 }  // namespace aibo_client

@@ -5,16 +5,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <set>
 #include <string>
 
 #include "aibo_client/telemetry.h"
+#include "client/notifier.h"
 #include "client/possible_values.h"
 #include "system/rate_limit.h"
 
 namespace aibo_client {
-
-struct ConnectionContext;
 
 /// Checks and delivers the measurements of one connection. It does not trust the robot: it delivers only what is
 /// possible, and no more than was asked for. What it drops is counted, and logged once for each joint and sensor.
@@ -46,8 +44,6 @@ class TelemetryIntake {
   const ConnectionContext& context_;
   aibo_system::RateLimit limit_{kMostAtOnce};
   std::optional<aibo_system::RateLimit::Duration> shortest_period_;  // empty if the robot is asked for each value
-  bool thinning_is_logged_ = false;
-  std::set<std::string> logged_;  // the names of what had an impossible value
 };
 
 }  // namespace aibo_client

@@ -75,8 +75,9 @@ Version1Session::Version1Session(Connection& connection, VersionAnswer answer, T
 // which picture has which quality. `F` is never sent while the stream runs.
 Session::Bytes Version1Session::nextRequest(const Settings& wanted, TimePoint now) {
   poll_wanted_ = wanted.telemetry_period > 0;
-  if (areUnknown(wanted) && !std::exchange(unknown_is_logged_, true)) {
-    connection_.context.warn(
+  if (areUnknown(wanted)) {
+    connection_.context.warnOnce(
+        "settings",
         "speaks version 1 of the protocol: it sends every image at 208x160 by TCP, its camera keeps its settings, and "
         "it neither detects colours nor listens");
   }
@@ -278,7 +279,9 @@ void Version1Session::onValueRefused(int code) {
       connection_.refused("to move joint " + std::to_string(request.id) + ": " + kJointFault);
       return;
     }
-    const auto is_lacking = [&](const PolledValue& each) { return each.letter == request.letter && each.id == request.id; };
+    const auto is_lacking = [&](const PolledValue& each) {
+      return each.letter == request.letter && each.id == request.id;
+    };
     polled_.erase(std::remove_if(polled_.begin(), polled_.end(), is_lacking), polled_.end());
   }
   const std::optional<RefusedRequest> kind = refusedRequest(request.letter);

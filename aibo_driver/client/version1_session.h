@@ -106,8 +106,7 @@ class Version1Session final : public Session {
   bool joints_turn_ = true;         // true: joints are next; false: waiting LEDs and ears are next
   std::deque<PolledValue> polled_;  // the values to ask for; the next one is first
   TimePoint poll_due_;
-  bool unknown_is_logged_ = false;  // it was logged that settings have no effect
-  std::set<int> measured_joints_;   // joints that were polled successfully and have had no fault since
+  std::set<int> measured_joints_;  // joints that were polled successfully and have had no fault since
   bool poll_wanted_ = false;
   bool ready_;                     // the server has answered
   bool is_trial_pending_ = false;  // the picture of requestTrial() is still to come

@@ -664,10 +664,9 @@ void Version2Session::onRefusal(const OpenRequest& refused, RefusalCause cause, 
     throw ProtocolException("it refused " + what + ": " + problem);
   }
   if (refused.is_for_double_resolution) {
-    if (!std::exchange(lacks_double_resolution_, true)) {  // a stream that is still wanted is requested without it
-      connection_.context.warn("refused to stream pictures of double resolution; they have 208x160 pixels: " + problem);
-    }
-    return;
+    lacks_double_resolution_ = true;  // a stream that is still wanted is requested without it
+    return connection_.context.warnOnce(
+        "double resolution", "refused to stream pictures of double resolution; they have 208x160 pixels: " + problem);
   }
   if (letter == version2::REQUEST_STREAM) {
     throw ProtocolException("it refused " + what + ": " + problem);
