@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "aibo_client/jpeg_inspector.h"
 #include "client/fault.h"
-#include "client/possible_values.h"
 #include "protocol/color_requests.h"
 
 namespace aibo_client {
@@ -17,6 +17,21 @@ DetectedRegion regionOf(const version2::ColorRegion& region, const std::string& 
   constexpr double kScale = version2::COLOR_CENTROID_SCALE;
   return {region.channel, name,       region.pixels, region.x / kScale, region.y / kScale,
           region.left,    region.top, region.width,  region.height};
+}
+
+/// True if the region does not contradict itself in a plane of this size: its box is in the plane, its pixels fit into
+/// the box, and their centroid is in the box.
+bool isPossible(const DetectedRegion& region, int width, int height) {
+  constexpr double kRounding = 0.1;  // the robot rounds to 64ths of a pixel
+  if (region.pixels == 0) {
+    return region.width == 0 && region.height == 0;
+  }
+  const auto is_in = [](double value, int first, int count) {
+    return first - kRounding <= value && value <= first + count - 1 + kRounding;
+  };
+  return region.width >= 1 && region.height >= 1 && region.left + region.width <= width &&
+         region.top + region.height <= height && region.pixels <= static_cast<unsigned>(region.width * region.height) &&
+         is_in(region.x, region.left, region.width) && is_in(region.y, region.top, region.height);
 }
 
 }  // namespace
@@ -34,7 +49,8 @@ void ColorIntake::receive(const unsigned char* payload, std::size_t size, const 
   colors.connection_number = context_.number;
   colors.width = regions.width;
   colors.height = regions.height;
-  if (!isPossiblePlane(colors.width, colors.height)) {
+  if (colors.width < 1 || colors.width > kLargestPictureWidth || colors.height < 1 ||
+      colors.height > kLargestPictureHeight) {
     return complain("a plane of " + std::to_string(colors.width) + "x" + std::to_string(colors.height) + " pixels");
   }
   for (std::size_t i = 0; i < regions.count; ++i) {

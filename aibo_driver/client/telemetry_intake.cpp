@@ -2,16 +2,69 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <utility>
 #include <vector>
 
 #include "aibo_client/names.h"
+#include "client/units.h"
 #include "robot_model/robot_model.h"
 
 namespace aibo_client {
 namespace {
 
 constexpr int kShortestPeriod = 4;  // frames; a server rounds shorter periods up (docs/protocol.md)
+
+/// The range of values that a robot's joint or sensor can have, both ends included, with room for noise. No working
+/// robot sends any other value. How much further than the tables of robot_model.h a measurement can be and still be
+/// right is our choice.
+struct ValueRange {
+  double lowest;
+  double highest;
+};
+
+constexpr double kPositionMargin = 0.2;          // rad, 11 degrees: potentiometers may be a bit off
+constexpr double kTwoTurns = 4 * 3.1416;         // rad: for a joint that is not in the tables
+constexpr ValueRange kPossibleDuties = {-1, 1};  // shares of full power
+
+// A foot moves at 0.7 m/s at most, because a leg is 0.14 m long and turns at the highest speed of its joints. When the
+// robot turns, a foot moves around a circle of 0.1 m.
+constexpr ValueRange kPossibleWalks = {-1, 1};    // m/s
+constexpr ValueRange kPossibleTurns = {-10, 10};  // rad/s
+
+/// The range in which a joint can be moved by hand, and a margin, in rad.
+ValueRange possiblePositions(const std::string& design, int id) {
+  const robot_model::RobotModel* const model = robot_model::findRobotModel(design.c_str());
+  const int index = model == nullptr ? robot_model::NO_JOINT : robot_model::findJointByIdentifier(*model, id);
+  if (index == robot_model::NO_JOINT) {
+    return {-kTwoTurns, kTwoTurns};
+  }
+  const robot_model::Joint& joint = model->joints[index];
+  return {fromMicro(joint.mechanical_lowest) - kPositionMargin, fromMicro(joint.mechanical_highest) + kPositionMargin};
+}
+
+/// In the units of SensorReading. If the sensor is not in the tables, every value is possible.
+ValueRange possibleReadings(const std::string& design, int id) {
+  const robot_model::RobotModel* const model = robot_model::findRobotModel(design.c_str());
+  const int index = model == nullptr ? robot_model::NO_SENSOR : robot_model::findSensorByIdentifier(*model, id);
+  if (index == robot_model::NO_SENSOR) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return {-kInfinity, kInfinity};
+  }
+  const robot_model::Sensor& sensor = model->sensors[index];
+  switch (sensor.kind) {
+    case robot_model::SENSOR_TEMPERATURE:
+      return {-40, 125};
+    case robot_model::SENSOR_CHARGE:
+      return {0, 1.05};
+    case robot_model::SENSOR_TOUCH:
+      return {0, 10.0 * sensor.highest};
+    case robot_model::SENSOR_SWITCH:
+      return {0, 1};
+    default:  // in millionths of an SI unit
+      return {std::min(0.0, 2 * fromMicro(sensor.lowest)), 2 * fromMicro(sensor.highest)};
+  }
+}
 
 std::string inShort(double value) {
   char text[32];
@@ -69,27 +122,26 @@ void TelemetryIntake::dropImpossible(Telemetry* telemetry, const std::string& de
     }
   }
   telemetry->joints = std::move(joints);
+  std::vector<SensorReading>& sensors = telemetry->sensors;
   const auto is_impossible = [&](const SensorReading& sensor) {
     return !isPossible(sensor.value, possibleReadings(design, sensor.id),
                        [&] { return nameOfSensor(sensor.id, design); });
   };
-  std::vector<SensorReading>& sensors = telemetry->sensors;
   sensors.erase(std::remove_if(sensors.begin(), sensors.end(), is_impossible), sensors.end());
-  if (telemetry->walk && !isPossible(telemetry->walk->velocity)) {
-    telemetry->walk.reset();
+  if (telemetry->walk) {
+    const WalkVelocity& walk = telemetry->walk->velocity;
+    if (!isPossible(walk.forward, kPossibleWalks, [] { return "the velocity of the walk forward"; }) ||
+        !isPossible(walk.left, kPossibleWalks, [] { return "the velocity of the walk to the left"; }) ||
+        !isPossible(walk.turn, kPossibleTurns, [] { return "the velocity of the walk around itself"; })) {
+      telemetry->walk.reset();
+    }
   }
 }
 
-bool TelemetryIntake::isPossible(const WalkVelocity& velocity) {
-  return isPossible(velocity.forward, kPossibleWalks, [] { return "the velocity of the walk forward"; }) &&
-         isPossible(velocity.left, kPossibleWalks, [] { return "the velocity of the walk to the left"; }) &&
-         isPossible(velocity.turn, kPossibleTurns, [] { return "the velocity of the walk around itself"; });
-}
-
 /// @param name gives the name of what has this value
-template <typename Name>
-bool TelemetryIntake::isPossible(double value, const ValueRange& range, const Name& name) {
-  const bool is_possible = range.contains(value);
+template <typename Range, typename Name>
+bool TelemetryIntake::isPossible(double value, const Range& range, const Name& name) {
+  const bool is_possible = range.lowest <= value && value <= range.highest;
   if (!is_possible) {
     complain(name(), "is " + inShort(value) + "; it can be " + inShort(range.lowest) + " to " + inShort(range.highest));
   }

@@ -9,7 +9,6 @@
 
 #include "aibo_client/telemetry.h"
 #include "client/notifier.h"
-#include "client/possible_values.h"
 #include "system/rate_limit.h"
 
 namespace aibo_client {
@@ -36,9 +35,8 @@ class TelemetryIntake {
  private:
   bool comesTooOften(const Telemetry& telemetry);
   void dropImpossible(Telemetry* telemetry, const std::string& design);
-  bool isPossible(const WalkVelocity& velocity);
-  template <typename Name>
-  bool isPossible(double value, const ValueRange& range, const Name& name);
+  template <typename Range, typename Name>
+  bool isPossible(double value, const Range& range, const Name& name);
   void complain(const std::string& name, const std::string& problem);
 
   const ConnectionContext& context_;

@@ -8,7 +8,6 @@
 
 #include "aibo_client/jpeg_inspector.h"
 #include "client/fault.h"
-#include "client/possible_values.h"
 #include "client/version1_requests.h"
 #include "client/version1_session.h"
 #include "client/version2_session.h"
@@ -71,9 +70,7 @@ class Client {
     }
   }
 
-  void beginVersion1(VersionAnswer answer) {
-    session_ = std::make_unique<Version1Session>(connection_, answer, now_);
-  }
+  void beginVersion1(VersionAnswer answer) { session_ = std::make_unique<Version1Session>(connection_, answer, now_); }
 
   void negotiate() {
     Bytes bytes = input_.takeBytes(input_.takeByte());
@@ -251,7 +248,8 @@ class Client {
     };
     callbacks.on_colors = [](const DetectedColors& colors) {
       for (const DetectedRegion& region : colors.regions) {
-        require(isPossible(region, colors.width, colors.height), "an impossible region is not published");
+        require(region.left + region.width <= colors.width && region.top + region.height <= colors.height,
+                "an impossible region is not published");
       }
       const auto pixels = static_cast<std::size_t>(colors.width) * static_cast<std::size_t>(colors.height);
       require(colors.mask.empty() || colors.mask.size() == pixels, "a mask is whole");
