@@ -100,7 +100,7 @@ TEST(JpegInspectorTest, WhatIsNoWholeBaselineJpegIsRefused) {
       {Bytes(5000, 0), "not a JPEG"},
       {other_begin, "not a JPEG"},
       {{0xFF, 0xD8}, "cut off in its header"},
-      {without_marker, "no marker where one is required"},
+      {without_marker, "a header that no camera writes"},
       {longer, "bytes after its end"},
       {test_pictures::make(progressive), "not a baseline JPEG"},
   };
@@ -132,17 +132,17 @@ TEST(JpegInspectorTest, HeadersOfOtherKindsOfPicturesAreRefused) {
     int value;
     std::string problem;
   } rows[] = {
-      {kSof0, kFrameComponentCount, 4, "not 3 colour components"},
-      {kSof0, kFramePrecision, 12, "not 8 bits a sample"},
+      {kSof0, kFrameComponentCount, 4, "not one frame of 3 components with 8 bits"},
+      {kSof0, kFramePrecision, 12, "not one frame of 3 components with 8 bits"},
       {kSof0, kFrameLumaSampling, 0x41, "an unusual subsampling"},
       {kSof0, kFrameLumaSampling + 3, 0x21, "an unusual subsampling"},
       {kSof0, kFrameLumaSampling + 6, 0x21, "an unusual subsampling"},
-      {kSof0, kFrameLength, 18, "a frame header of wrong length"},
-      {kSos, kScanSpectralStart, 5, "not a baseline scan"},
-      {kSos, kScanSpectralStart + 1, 5, "not a baseline scan"},
-      {kSos, kScanSpectralStart + 2, 5, "not a baseline scan"},
-      {kSos, 4, 1, "not one scan of all components"},
-      {kSos, 5, 77, "a scan of components that the frame does not have"},
+      {kSof0, kFrameLength, 18, "not one frame of 3 components with 8 bits"},
+      {kSos, kScanSpectralStart, 5, "not one baseline scan of all components"},
+      {kSos, kScanSpectralStart + 1, 5, "not one baseline scan of all components"},
+      {kSos, kScanSpectralStart + 2, 5, "not one baseline scan of all components"},
+      {kSos, 4, 1, "not one baseline scan of all components"},
+      {kSos, 5, 77, "not one baseline scan of all components"},
   };
   for (const auto& row : rows) {
     EXPECT_EQ(row.problem, problemOf(alter(row.marker, row.offset, row.value)));
@@ -157,15 +157,15 @@ TEST(JpegInspectorTest, AMarkerIsAllowedOnlyWhereItBelongs) {
     std::string in_data;
     std::string in_header;  // with an empty segment, before the frame header
   } rows[] = {
-      {0x00, "", "a marker that no camera writes"},
-      {0xC0, "a marker within its compressed data", "a frame header of wrong length"},
+      {0x00, "", "a header that no camera writes"},
+      {0xC0, "a marker within its compressed data", "not one frame of 3 components with 8 bits"},
       {0xC2, "a marker within its compressed data",
        "not a baseline JPEG (progressive, arithmetic, or another process)"},
       {0xC4, "a marker within its compressed data", ""},
-      {0xD0, "", "a marker that no camera writes"},
-      {0xD8, "a marker within its compressed data", "a marker that no camera writes"},
-      {0xD9, "bytes after its end", "a marker that no camera writes"},
-      {0xDA, "a marker within its compressed data", "no frame header before the scan"},
+      {0xD0, "", "a header that no camera writes"},
+      {0xD8, "a marker within its compressed data", "a header that no camera writes"},
+      {0xD9, "bytes after its end", "a header that no camera writes"},
+      {0xDA, "a marker within its compressed data", "its frame header or its tables are missing"},
       {0xFE, "a marker within its compressed data", ""},
   };
   for (const auto& row : rows) {
@@ -186,7 +186,7 @@ TEST(JpegInspectorTest, APictureWithoutItsTablesIsRefused) {
     for (std::size_t i = 0; i + 1 < jpeg.size(); ++i) {
       jpeg[i + 1] = jpeg[i] == 0xFF && jpeg[i + 1] == table ? kComment : jpeg[i + 1];
     }
-    EXPECT_EQ("its tables are missing", problemOf(jpeg));
+    EXPECT_EQ("its frame header or its tables are missing", problemOf(jpeg));
   }
 }
 
@@ -196,7 +196,7 @@ TEST(JpegInspectorTest, ASegmentThatLiesAboutItsLengthIsRefused) {
     EXPECT_EQ("cut off in its header", problemOf(jpeg));
     jpeg = alter(marker, 2, 0);
     jpeg.at(test_pictures::findMarker(jpeg, marker) + 3) = 1;
-    EXPECT_EQ("a segment of impossible length", problemOf(jpeg));
+    EXPECT_EQ("a header that no camera writes", problemOf(jpeg));
   }
 }
 
