@@ -4,8 +4,6 @@
 #include <OPENR/OSyslog.h>
 #include <string.h>
 
-#include "rcserver/FrameClock.h"
-
 using namespace robot_model;
 
 JointDriver::JointDriver(const RobotModel& robot)
@@ -52,7 +50,6 @@ void JointDriver::Fill(RCRegion* vector) {
   for (int i = 0; i < joints_.NumberOfJoints(); ++i) {
     data[i] = CommandVectors::Add(vector, odataJOINT_COMMAND2, primitives_.Id(i), CommandVectors::FRAMES);
   }
-  joints_.Motions().SetTime(SystemMilliseconds());
   for (int frame = 0; frame < CommandVectors::FRAMES; ++frame) {
     if (state_ == ON) {
       joints_.NextFrame();

@@ -8,16 +8,16 @@ using robot_model::NO_JOINT;
 
 namespace {
 
+const EndReason DONE = {END_DONE, "", ""};
 const EndReason STOPPED_BY_CLIENT = {END_STOPPED, "the client stopped it", ""};
 
 }  // namespace
 
 const int MotionPlayer::MAX_PLAYING;
 const size_t MotionPlayer::MAX_PROBLEM_SIZE;
-const int MotionPlayer::HELD_UP;
 
 MotionPlayer::MotionPlayer(JointPlanner& planner, const robot_model::RobotModel& robot, OrderBook& orders)
-    : planner_(planner), robot_(robot), orders_(orders), newest_(NULL), now_(0) {
+    : planner_(planner), robot_(robot), orders_(orders), newest_(NULL) {
   problem_[0] = '\0';
   changes_[0] = '\0';
 }
@@ -91,9 +91,9 @@ bool MotionPlayer::TakeFlick(int ear) {
 void MotionPlayer::NextFrame() {
   for (int i = 0; i < MAX_PLAYING; ++i) {
     if (motions_[i].IsPlaying()) {
-      motions_[i].NextFrame(planner_, now_);
+      motions_[i].NextFrame(planner_);
       if (!motions_[i].IsPlaying()) {
-        ReportDone(motions_[i]);
+        orders_.End(motions_[i].Order(), DONE);
       }
     }
   }
@@ -144,16 +144,4 @@ int MotionPlayer::FindMoving(int joint) const {
 void MotionPlayer::Stop(PlayedMotion& motion, const EndReason& reason) {
   motion.Stop(planner_);
   orders_.End(motion.Order(), reason);
-}
-
-void MotionPlayer::ReportDone(const PlayedMotion& motion) {
-  const int longer = static_cast<int>(motion.Elapsed(now_) - motion.Played());
-  char words[OrderBook::MAX_TEXT_SIZE] = "";
-  if (longer >= HELD_UP) {
-    const unsigned took = (motion.Elapsed(now_) + 5) / 10;
-    const unsigned should = (motion.Played() + 5) / 10;
-    sprintf(words, "the robot's program stalled, so it took %u.%02u s instead of %u.%02u s", took / 100, took % 100,
-            should / 100, should % 100);
-  }
-  orders_.End(motion.Order(), EndReason::Of(END_DONE, "%s", words));
 }

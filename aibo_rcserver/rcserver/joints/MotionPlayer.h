@@ -18,10 +18,6 @@ class MotionPlayer {
   static const int MAX_PLAYING = OrderBook::MAX_MOTIONS;
   static const size_t MAX_PROBLEM_SIZE = 256;
 
-  /// If a motion was late by at least this time, in milliseconds, its end says that the program stalled. Vectors of 32
-  /// ms and their queue can make it late by up to 64 ms. The value is our choice.
-  static const int HELD_UP = 100;
-
   MotionPlayer(JointPlanner& planner, const robot_model::RobotModel& robot, OrderBook& orders);
 
   /// The place for the file that Play() plays, with room for mtn::MAX_FILE_SIZE bytes.
@@ -64,10 +60,6 @@ class MotionPlayer {
   /// @param ear the ear's index in the robot's table
   bool TakeFlick(int ear);
 
-  /// Call this before NextFrame(), once for all frames that are computed at this time.
-  /// @param now the time in milliseconds, on a clock that runs on while the robot's program stalls; may overflow
-  void SetTime(unsigned now) { now_ = now; }
-
   /// Call this once in each frame, before JointPlanner::NextFrame().
   void NextFrame();
 
@@ -80,14 +72,12 @@ class MotionPlayer {
   bool FindsJointsUncommanded(const PlayedMotion& motion, const bool* commanded);
   int FindMoving(int joint) const;
   void Stop(PlayedMotion& motion, const EndReason& reason);
-  void ReportDone(const PlayedMotion& motion);
 
   JointPlanner& planner_;
   const robot_model::RobotModel& robot_;
   OrderBook& orders_;
   PlayedMotion motions_[MAX_PLAYING];
   const PlayedMotion* newest_;  ///< the motion that has begun last; NULL if none has
-  unsigned now_;                ///< milliseconds
   char problem_[MAX_PROBLEM_SIZE];
   char changes_[mtn::FittedMotion::MAX_DESCRIPTION_SIZE];
 };

@@ -48,7 +48,7 @@ class OrderBook {
     unsigned char how;      ///< END_DONE and so on
     unsigned short number;  ///< number of the request; 0 if it is not the present client's
     protocol::FileName name;
-    char reason[MAX_TEXT_SIZE];  ///< such as "left_front_knee was commanded"; for END_DONE, only a stall or nothing
+    char reason[MAX_TEXT_SIZE];  ///< such as "left_front_knee was commanded"; empty for END_DONE
   };
 
   OrderBook();

@@ -12,14 +12,7 @@ using namespace robot_model;
 const int PlayedMotion::APPROACH_SPEED;
 
 PlayedMotion::PlayedMotion()
-    : phase_(OVER),
-      order_(0),
-      repetitions_left_(0),
-      key_frame_(0),
-      milliseconds_(0),
-      duration_(0),
-      begun_(0),
-      played_(0) {
+    : phase_(OVER), order_(0), repetitions_left_(0), key_frame_(0), milliseconds_(0), duration_(0) {
   name_[0] = '\0';
   problem_[0] = '\0';
   std::fill(begin_, begin_ + MAX_JOINTS, 0);
@@ -44,7 +37,6 @@ void PlayedMotion::Start(int repetitions, int order) {
   phase_ = BEGINNING;
   order_ = order;
   repetitions_left_ = repetitions;
-  played_ = 0;
 }
 
 void PlayedMotion::DescribeChanges(const JointPlanner& planner, char* text) const {
@@ -61,9 +53,7 @@ bool PlayedMotion::SharesJoint(const PlayedMotion& other, int* joint) const {
   return false;
 }
 
-void PlayedMotion::NextFrame(JointPlanner& planner, unsigned now) {
-  begun_ = played_ == 0 ? now : begun_;
-  played_ += FRAME_MILLISECONDS;
+void PlayedMotion::NextFrame(JointPlanner& planner) {
   if (phase_ == ARRIVING && HaveArrived(planner)) {
     Repeat();
   }

@@ -44,13 +44,6 @@ class PlayedMotion {
   /// @param order the order in the OrderBook
   void Start(int repetitions, int order);
 
-  /// How long the motion has been played so far, in milliseconds, without the time for which anything has held it up.
-  unsigned Played() const { return played_; }
-
-  /// How long the motion has been played so far, in milliseconds.
-  /// @param now see NextFrame()
-  unsigned Elapsed(unsigned now) const { return now - begun_; }
-
   void EndRepetitions() { repetitions_left_ = 1; }
 
   bool IsPlaying() const { return phase_ != OVER; }
@@ -67,8 +60,7 @@ class PlayedMotion {
   bool SharesJoint(const PlayedMotion& other, int* joint) const;
 
   /// Sets the targets for the next frame. Call it only if IsPlaying().
-  /// @param now the time in milliseconds, on any clock; may overflow
-  void NextFrame(JointPlanner& planner, unsigned now);
+  void NextFrame(JointPlanner& planner);
 
   /// True once for each flick of an ear. An ear flicks at a key frame where its value changes.
   /// @param ear the ear's index in the robot's table
@@ -105,8 +97,6 @@ class PlayedMotion {
   int key_frame_;                       ///< in PLAYING: the key frame that the joints move to, from 1
   int milliseconds_;                    ///< in PLAYING: since the previous key frame
   int duration_;                        ///< in PLAYING: milliseconds from the previous key frame to this one
-  unsigned begun_;                      ///< when the motion's first frame was computed, in milliseconds
-  unsigned played_;                     ///< see Played()
   int begin_[robot_model::MAX_JOINTS];  ///< positions in the previous key frame
   int end_[robot_model::MAX_JOINTS];    ///< positions in key_frame_, or in the last one
   bool flicks_[robot_model::MAX_EARS];  ///< ears that have to flick

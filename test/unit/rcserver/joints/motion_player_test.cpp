@@ -145,25 +145,6 @@ TEST_F(AMotion, TakesLongerIfAStepIsTooFast) {
   EXPECT_NEAR(static_cast<double>(path.size()) * kFrame, 1131, 80);
 }
 
-TEST_F(AMotion, TellsHowMuchLongerItTookBecauseTheProgramWasHeldUp) {
-  unsigned now = 0;
-  const auto endOf = [&](unsigned held_up_ms) {
-    planner_.SetPosition(joint("head_pan"), 0);
-    EXPECT_EQ(play("A.MTN", motionBytes("at 0 head_pan 0\nat 800 head_pan 40\n")), "");
-    for (int frame = 0; player_->IsPlaying() && frame < kPatience; ++frame) {
-      player_->SetTime(now += kFrame + (frame == 50 ? held_up_ms : 0));
-      passFrame();
-    }
-    OrderBook::OrderEnd end = {};
-    EXPECT_TRUE(orders_.Take(&end));
-    EXPECT_EQ(end.how, END_DONE);
-    return std::string(end.reason);
-  };
-  EXPECT_EQ(endOf(64), "");
-  EXPECT_EQ(endOf(970), "the robot's program stalled, so it took 1.78 s instead of 0.82 s");
-  EXPECT_EQ(endOf(0), "") << "the next one is in time";
-}
-
 TEST_F(AMotion, IsRefusedWhileAnotherMovesItsJoint) {
   const std::string head = motionBytes("at 0 tail_pan 0 head_pan 0\nat 1600 head_pan 40\n");
   ASSERT_EQ(play("A.MTN", head), "");
