@@ -151,9 +151,4 @@ std::string checkedName(const std::string& name, protocol::version2::ReadFileNam
   return checked;
 }
 
-const char* readNewMotionName(const char* text, std::size_t size, protocol::FileName& name) {
-  const char* const problem = protocol::readMotionName(text, size, name);
-  return problem != nullptr ? problem : protocol::problemOfNewMotionName(name);
-}
-
 }  // namespace aibo_client

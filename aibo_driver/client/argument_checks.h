@@ -29,12 +29,9 @@ void checkLedCommands(const std::vector<LedCommand>& leds);
 void checkColorTable(const ColorTable& table);
 
 /// Checks the name of a file.
-/// @param read protocol::readMotionName(), protocol::readPictureName() or readNewMotionName()
+/// @param read protocol::readMotionName() or protocol::readPictureName()
 /// @return the name in capitals, as it is sent
 std::string checkedName(const std::string& name, protocol::version2::ReadFileName read);
-
-/// Reads the name of a motion that will be stored. See protocol::problemOfNewMotionName().
-const char* readNewMotionName(const char* text, std::size_t size, protocol::FileName& name);
 
 }  // namespace aibo_client
 

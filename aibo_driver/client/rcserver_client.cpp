@@ -383,7 +383,7 @@ void RcServerClient::uploadMotion(const std::string& name, const std::vector<std
                                   milliseconds timeout) {
   checkRange("the motion's size", static_cast<long long>(content.size()), 1, version2::MAX_MOTION_FILE_SIZE, " bytes");
   const version2::MotionUpload upload = {"", content.data(), content.size()};
-  Call call = callForFile(version2::STORE_MOTION, upload, checkedName(name, readNewMotionName), motion_bits_);
+  Call call = callForFile(version2::STORE_MOTION, upload, checkedName(name, protocol::readMotionName), motion_bits_);
   exchange(waitable(loop_), std::move(call), timeout).get();
 }
 
