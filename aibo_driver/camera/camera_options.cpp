@@ -23,7 +23,7 @@ std::optional<Resolution> resolutionOf(const std::string& name) {
 }
 
 std::optional<PictureTransport> transportOf(const std::string& name) {
-  for (const PictureTransport transport : {PictureTransport::kTcp, PictureTransport::kUdp, PictureTransport::kAuto}) {
+  for (const PictureTransport transport : {PictureTransport::kTcp, PictureTransport::kUdp}) {
     if (name == nameOf(transport)) {
       return transport;
     }
@@ -32,14 +32,7 @@ std::optional<PictureTransport> transportOf(const std::string& name) {
 }
 
 const char* nameOf(PictureTransport transport) {
-  switch (transport) {
-    case PictureTransport::kUdp:
-      return "udp";
-    case PictureTransport::kAuto:
-      return "auto";
-    default:
-      return "tcp";
-  }
+  return transport == PictureTransport::kUdp ? "udp" : "tcp";
 }
 
 std::string transportReason(const aibo_client::ConnectionStatus& status) {

@@ -27,7 +27,7 @@ constexpr const char* kResolutionNames = "52x40, 104x80, 208x160 or 416x320";
 std::optional<aibo_client::Resolution> resolutionOf(const std::string& name);
 
 /// The transports that users may write for the stream's pictures, for messages.
-constexpr const char* kTransportNames = "auto, tcp or udp";
+constexpr const char* kTransportNames = "tcp or udp";
 
 /// @param name one of kTransportNames
 /// @return empty for any other text

@@ -123,10 +123,10 @@ void Connection::tellRefused(const Call& call, RefusalCause cause, const std::st
   }
 }
 
-void Connection::giveUpDatagrams(const std::string& why, LogLevel level) {
+void Connection::giveUpDatagrams(const std::string& why) {
   status.transport = PictureTransport::kTcp;
   if (why != std::exchange(status.transport_problem, why)) {
-    context.notifier.log(level, context.address + " sends its pictures by TCP, not by UDP: " + why + ".");
+    context.notifier.log(LogLevel::kInfo, context.address + " sends its pictures by TCP, not by UDP: " + why + ".");
   }
 }
 

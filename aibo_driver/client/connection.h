@@ -70,10 +70,9 @@ struct Connection {
   /// When a picture that is due now will be overdue.
   TimePoint pictureDeadline() const;
 
-  /// Logs that the pictures come by TCP although UDP is wanted, or why they cannot come by UDP.
+  /// Logs that the pictures come by TCP although UDP is wanted.
   /// @param why the reason in words that follow a colon
-  /// @param level kWarn if the user wants UDP and nothing else
-  void giveUpDatagrams(const std::string& why, LogLevel level = LogLevel::kWarn);
+  void giveUpDatagrams(const std::string& why);
 
   /// How long the answer to a request may take.
   std::chrono::milliseconds answerLimit() const;

@@ -9,7 +9,7 @@ TransportChoice::Step TransportChoice::next(PictureTransport wanted, int port, b
   if (wanted != std::exchange(wanted_, wanted)) {
     trials_ = Trials();
   }
-  const bool is_possible = wanted != PictureTransport::kTcp && port != 0;
+  const bool is_possible = isUdpWanted() && port != 0;
   if (port_ != 0 && (!is_possible || trials_.given_up)) {
     port_ = 0;
     return Step::kEnd;
@@ -18,16 +18,11 @@ TransportChoice::Step TransportChoice::next(PictureTransport wanted, int port, b
   if (!is_possible || port_ == port) {
     return Step::kNone;
   }
-  if (port_ != 0 || trials_.has_passed || (insists() && !trials_.given_up)) {
-    return begin(port);
+  if (port_ == 0 && !trials_.has_passed) {
+    return streaming ? test(now) : Step::kNone;
   }
-  return streaming ? test(now) : Step::kNone;
-}
-
-TransportChoice::Step TransportChoice::begin(int port) {
   port_ = port;
-  trials_.given_up = trials_.has_passed = false;
-  trials_.tests = 0;
+  trials_ = Trials();
   return Step::kBegin;
 }
 
@@ -50,9 +45,7 @@ TransportChoice::Step TransportChoice::test(TimePoint now) {
 }
 
 void TransportChoice::giveUp(TimePoint now) {
-  trials_.given_up = true;
-  trials_.has_passed = false;
-  trials_.next_test = now + kPauseAfterFailure;
+  trials_ = {true, false, 0, now + kPauseAfterFailure};
 }
 
 }  // namespace aibo_client

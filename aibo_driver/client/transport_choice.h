@@ -37,10 +37,7 @@ class TransportChoice {
   /// Call this when the pictures have to come by TCP again, because UDP does not work.
   void giveUp(TimePoint now);
 
-  bool isUdpWanted() const { return wanted_ != PictureTransport::kTcp; }
-
-  /// True if the user wants UDP and nothing else.
-  bool insists() const { return wanted_ == PictureTransport::kUdp; }
+  bool isUdpWanted() const { return wanted_ == PictureTransport::kUdp; }
 
   /// Why UDP does not work, if next() has just given up a series of tests; otherwise empty.
   const std::string& problem() const { return problem_; }
@@ -49,7 +46,7 @@ class TransportChoice {
   TimePoint nextLook() const { return next_look_; }
 
  private:
-  /// What is forgotten when the user changes the transport.
+  /// What is forgotten when the user changes the transport, and when UDP is used.
   struct Trials {
     bool given_up = false;
     bool has_passed = false;
@@ -57,7 +54,6 @@ class TransportChoice {
     TimePoint next_test{};
   };
 
-  Step begin(int port);
   Step test(TimePoint now);
 
   PictureTransport wanted_ = PictureTransport::kTcp;

@@ -144,7 +144,7 @@ Session::Bytes Version2Session::requestStream(const Settings& wanted, TimePoint 
 Session::Bytes Version2Session::requestTransport(const Settings& wanted, TimePoint now) {
   const TransportChoice::Step step = transport_.next(wanted.transport, wanted.datagram_port, wanted.streaming, now);
   if (!transport_.problem().empty()) {
-    connection_.giveUpDatagrams(transport_.problem(), transport_.insists() ? LogLevel::kWarn : LogLevel::kInfo);
+    connection_.giveUpDatagrams(transport_.problem());
   }
   switch (step) {
     case TransportChoice::Step::kTest:
@@ -619,7 +619,7 @@ void Version2Session::onDatagrams(const Payload& payload) {
 }
 
 void Version2Session::giveUpDatagrams(const std::string& why, TimePoint now) {
-  connection_.giveUpDatagrams(why, transport_.insists() ? LogLevel::kWarn : LogLevel::kInfo);
+  connection_.giveUpDatagrams(why);
   transport_.giveUp(now);
   datagrams_.end();
   connection_.pictures.signOfPicture(now);  // from now on, pictures are due by TCP

@@ -130,12 +130,8 @@ void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
          status);
 }
 
-// Reports a warning if pictures come by TCP instead of UDP: the stream works, but the user has to know.
 void DriverDiagnostics::reportTransport(DiagnosticStatusWrapper& status) const {
   const ConnectionStatus connection = sources_.client.status();
-  if (connection.wanted_transport == aibo_client::PictureTransport::kUdp && !connection.transport_problem.empty()) {
-    status.mergeSummary(DiagnosticStatus::WARN, "pictures come by TCP, not by UDP: " + connection.transport_problem);
-  }
   status.add("transport", camera::nameOf(connection.transport));
   status.add("transport wanted", camera::nameOf(connection.wanted_transport));
   status.add("why this transport", camera::transportReason(connection));

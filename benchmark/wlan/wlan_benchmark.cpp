@@ -41,13 +41,11 @@ using std::chrono::milliseconds;
 
 constexpr int kSkipped = 77;
 
-enum class Way { kAuto, kTcp, kUdp, kPlain };
-constexpr Way kWays[] = {Way::kAuto, Way::kTcp, Way::kUdp, Way::kPlain};
+enum class Way { kTcp, kUdp, kPlain };
+constexpr Way kWays[] = {Way::kTcp, Way::kUdp, Way::kPlain};
 
 const char* nameOf(Way way) {
   switch (way) {
-    case Way::kAuto:
-      return "auto";
     case Way::kTcp:
       return "TCP";
     case Way::kUdp:
@@ -85,9 +83,8 @@ Trial trialOn(const Link& link, const Options& options, int round) {
 
 Result measure(const Trial& trial, Way way) {
   using aibo_client::PictureTransport;
-  const std::map<Way, PictureTransport> transports = {
-      {Way::kAuto, PictureTransport::kAuto}, {Way::kTcp, PictureTransport::kTcp}, {Way::kUdp, PictureTransport::kUdp}};
-  return way == Way::kPlain ? runPlainStream(trial) : fault_bench::run(by(transports.at(way), trial));
+  const PictureTransport transport = way == Way::kUdp ? PictureTransport::kUdp : PictureTransport::kTcp;
+  return way == Way::kPlain ? runPlainStream(trial) : fault_bench::run(by(transport, trial));
 }
 
 std::string textOf(double number) {
@@ -157,7 +154,7 @@ void print(const Link& link, const std::string& what, const std::string& unit,
     }
     return values;
   };
-  for (const Way way : {Way::kAuto, Way::kTcp, Way::kUdp}) {
+  for (const Way way : {Way::kTcp, Way::kUdp}) {
     benchmark_figures::print(link.title + ", " + nameOf(way) + ": " + what, unit, rounds(way),
                              {nameOf(Way::kPlain), rounds(Way::kPlain)}, mark);
   }

@@ -18,7 +18,7 @@ NOT_OF_THE_DRIVER = {'ns', 'look_at', 'model', 'respawn', 'rviz', 'walk_calibrat
 # For each other argument a value that is not the default.
 OTHER_VALUES = {
     'host': '192.168.1.20', 'port': 54322, 'jpeg_quality': 60, 'resolution': '104x80', 'frame_rate': 15.0,
-    'transport': 'udp', 'color_tables': '/srv/blue.yaml pink_ball', 'adaptive': True, 'max_picture_age': 0.3,
+    'transport': 'tcp', 'color_tables': '/srv/blue.yaml pink_ball', 'adaptive': True, 'max_picture_age': 0.3,
     'stream_on_start': False, 'stream_on_demand': False,
     'robot': 'ERS-210', 'frame_prefix': 'left', 'frame_id': 'eye', 'camera_name': 'left_eye',
     'camera_info_url': 'file:///tmp/eye.yaml', 'telemetry_rate': 10.0, 'joint_speed_limit': 2.0,

@@ -42,11 +42,11 @@ std::vector<Trial> allTrials(std::uint32_t seed) {
 std::vector<Trial> shortTrials(std::uint32_t seed) {
   const Trial lossy = lossTrial(11e6, 0.05, seed, milliseconds(3000));
   return {lossTrial(11e6, 0, seed, milliseconds(2000)), lossy, outageTrial(milliseconds(1000), seed),
-          by(PictureTransport::kUdp, lossy), by(PictureTransport::kAuto, lossy)};
+          by(PictureTransport::kUdp, lossy)};
 }
 
 std::string titleOf(const Trial& trial) {
-  const char* const transports[] = {"TCP", "UDP", "auto"};
+  const char* const transports[] = {"TCP", "UDP"};
   const auto outage = trial.radio.outages.empty() ? milliseconds(0) : trial.radio.outages[0].length;
   char title[100];
   std::snprintf(title, sizeof title, "%g Mbit/s, loss %g %%, out %g s, %s%s", trial.radio.bits_per_second / 1e6,

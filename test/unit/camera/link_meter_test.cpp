@@ -180,7 +180,7 @@ TEST(Transport, ItsReasonIsTold) {
   status.transport_problem.clear();
   status.state = aibo_client::ConnectionState::kConnected;
   EXPECT_EQ(transportReason(status), "~transport is tcp");
-  status.wanted_transport = PictureTransport::kAuto;
+  status.wanted_transport = PictureTransport::kUdp;
   EXPECT_EQ(transportReason(status), "UDP has not been tried yet");
   status.transport_problem = "a firewall";
   EXPECT_EQ(transportReason(status), "a firewall");

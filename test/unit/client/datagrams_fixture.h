@@ -65,7 +65,22 @@ class DatagramsFixture : public Version2SessionFixture {
     for (char kind = request(); kind != 0; kind = request()) {
       answer(kind == 'H' ? version2_frames::makeHello(capabilities_, robotsFrame()) : payload_);
       asked_ += kind;
+      if (kind == 'B' && isTest()) {
+        arrive(testDatagram(payload_));
+      }
     }
+  }
+
+  /// True if the request that was sent last is one for a test.
+  bool isTest() const { return payload_.at(2) == 1; }
+
+  static Bytes testDatagram(const Bytes& request) {
+    protocol::version2::DatagramOrder order = {};
+    EXPECT_EQ(nullptr, decode(request.data(), request.size(), &order));
+    EXPECT_TRUE(order.is_test);
+    Bytes datagram(protocol::version2::MAX_DATAGRAM_SIZE);
+    protocol::version2::encodeTest(order, datagram.data());
+    return datagram;
   }
 
   void startStream() {

@@ -12,21 +12,10 @@ namespace {
 class TransportChoiceTest : public DatagramsFixture {
  public:
   TransportChoiceTest() {
-    wanted_.transport = PictureTransport::kAuto;
+    wanted_.transport = PictureTransport::kUdp;
     wanted_.streaming = true;
     wanted_.datagram_port = kPort;
   }
-
-  static Bytes testDatagram(const Bytes& request) {
-    protocol::version2::DatagramOrder order = {};
-    EXPECT_EQ(nullptr, decode(request.data(), request.size(), &order));
-    EXPECT_TRUE(order.is_test);
-    Bytes datagram(protocol::version2::MAX_DATAGRAM_SIZE);
-    protocol::version2::encodeTest(order, datagram.data());
-    return datagram;
-  }
-
-  bool isTest() const { return payload_.at(2) == 1; }
 
   /// Lets time pass. The robot sends its pictures by the transport of the last request.
   void watch(milliseconds time) {
@@ -160,7 +149,7 @@ TEST_F(TransportChoiceTest, AfterAChangeByTheUserUdpIsTriedAtOnce) {
   lets_through_ = true;
   wanted_.transport = PictureTransport::kTcp;
   answerAll();
-  wanted_.transport = PictureTransport::kAuto;
+  wanted_.transport = PictureTransport::kUdp;
   watch(milliseconds(64));
   EXPECT_EQ("U", ways_);
 }

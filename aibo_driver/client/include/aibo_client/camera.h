@@ -25,10 +25,10 @@ enum class Resolution {
 /// How the pictures of the stream come. Everything else always comes by TCP, even a picture for takePicture().
 enum class PictureTransport {
   kTcp,  ///< each picture comes whole; one that has lost a packet comes late and delays the pictures behind it
-  kUdp,  ///< a lost packet delays its picture by a few milliseconds, or the picture is lost; no other picture waits
-  /// By UDP where datagrams get through, otherwise by TCP. The client tests this before it changes to UDP. If the test
-  /// fails, it tests again every 10 s (our choice).
-  kAuto
+  /// A lost packet delays its picture by a few milliseconds, or the picture is lost; no other picture waits. Where
+  /// datagrams do not get through, the pictures come by TCP. The client tests this before it changes to UDP. If the
+  /// test fails, it tests again every 10 s (our choice).
+  kUdp
 };
 
 /// Selects the pictures of the stream.

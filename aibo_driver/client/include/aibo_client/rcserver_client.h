@@ -105,8 +105,7 @@ class RcServerClient {
   /// A datagram is accepted only from the robot's address. A picture is delivered when all its datagrams have come, but
   /// never after a newer picture. The pictures come by TCP if none comes by UDP for 1 s although TCP works, or if 20
   /// pictures in a row have lost a datagram: see ConnectionStatus::transport_problem. The robot is asked for a test
-  /// datagram a minute later, and UDP is used again when it comes. UDP is also tried again when this is set to TCP
-  /// and then to UDP.
+  /// datagram a minute later, or when this is set to TCP and then to UDP.
   void setPictureTransport(PictureTransport transport);
 
   /// Sets the camera. The robot resets the camera when the connection ends. Picture::settings has the settings with

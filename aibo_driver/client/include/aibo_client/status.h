@@ -53,8 +53,8 @@ struct ConnectionStatus {
   std::string robot_message;
   PictureTransport transport = PictureTransport::kTcp;         ///< how the pictures of the stream come now
   PictureTransport wanted_transport = PictureTransport::kTcp;  ///< as last set by the user
-  /// Why the pictures come by TCP although UDP or kAuto is wanted. It is empty if they do come by UDP, if only TCP is
-  /// wanted, or if UDP has not been tried yet.
+  /// Why the pictures come by TCP although UDP is wanted. It is empty if they do come by UDP, if TCP is wanted, or if
+  /// UDP has not been tried yet.
   std::string transport_problem;
 };
 
