@@ -12,6 +12,7 @@ void Exchange::Begin(const FrameHeader& request, const unsigned char* payload, u
   request_ = request;
   payload_ = payload;
   now_ = now;
+  PushEnds();
 }
 
 bool Exchange::HasNoPayload() {
@@ -51,9 +52,7 @@ bool Exchange::IsInTime(unsigned not_after) {
 }
 
 void Exchange::FinishReply(size_t payload_size) {
-  PushEnds();
-  const size_t size = Complete(replyKind(request_.kind), request_.id, request_.request_number, payload_size);
-  outbox_.Add(message_, size);
+  Send(replyKind(request_.kind), request_.id, request_.request_number, payload_size);
 }
 
 void Exchange::Refuse(unsigned short code, const char* text) {
@@ -89,15 +88,11 @@ size_t Exchange::Complete(char kind, unsigned char id, unsigned short request_nu
   return encode(header, message_) + payload_size;
 }
 
-// Sends a frame without using message_.
-void Exchange::Send(char kind, unsigned short request_number, const unsigned char* payload, size_t size) {
-  const FrameHeader header = {kind, 0, request_number, static_cast<unsigned>(size)};
-  unsigned char bytes[FRAME_HEADER_SIZE];
-  outbox_.Add(bytes, encode(header, bytes));
-  outbox_.Add(payload, size);
+void Exchange::Send(char kind, unsigned char id, unsigned short request_number, size_t payload_size) {
+  outbox_.Add(message_, Complete(kind, id, request_number, payload_size));
 }
 
 void Exchange::SendError(unsigned short request_number, unsigned short code, const char* text) {
   const ErrorMessage error = {code, text, strlen(text)};
-  Send(ERROR_MESSAGE, request_number, error);
+  Send(ERROR_MESSAGE, 0, request_number, encode(error, Payload()));
 }

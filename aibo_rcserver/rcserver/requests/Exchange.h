@@ -11,7 +11,7 @@ class Exchange {
  public:
   Exchange(const Settings& settings, OrderBook& orders, Outbox& outbox);
 
-  /// Begins to handle a request, or to answer one that has waited.
+  /// Begins to handle a request, or to answer one that has waited. Ends that wait are pushed.
   /// @param payload as many bytes as the header says; NULL for a request that has waited
   /// @param now the present OPEN-R frame
   void Begin(const protocol::version2::FrameHeader& request, const unsigned char* payload, unsigned now);
@@ -44,9 +44,12 @@ class Exchange {
   // The answer. Each request gets one, after the ends of orders that it has caused.
   template <typename Content>
   void Reply(const Content& content) {
+    PushEnds();
     FinishReply(encode(content, Payload()));
   }
-  void ReplyWithoutPayload() { FinishReply(0); }
+  void ReplyWithoutPayload() { Reply(protocol::version2::NoPayload()); }
+
+  /// Answers a request that has caused no ends, with the payload that has been written to Payload().
   void FinishReply(size_t payload_size);
 
   void Refuse(unsigned short code, const char* text);
@@ -59,11 +62,10 @@ class Exchange {
   bool HasRoom() const { return outbox_.HasRoom(); }
 
   template <typename Content>
-  void Push(char kind, const Content& content) {
-    Send(kind, 0, content);
+  void Push(char kind, const Content& content, unsigned char id = 0) {
+    Send(kind, id, 0, encode(content, Payload()));
   }
 
-  void PushWithoutPayload(char kind) { Send(kind, 0, message_, 0); }
   void PushError(unsigned short code, const char* text) { SendError(0, code, text); }
   void PushEnd(unsigned char what, unsigned char how, unsigned short order, const char* name, const char* reason);
   void PushEnds();
@@ -79,12 +81,7 @@ class Exchange {
   Outbox& Out() { return outbox_; }
 
  private:
-  template <typename Content>
-  void Send(char kind, unsigned short request_number, const Content& content) {
-    unsigned char payload[protocol::version2::MAX_END_MESSAGE_SIZE];
-    Send(kind, request_number, payload, encode(content, payload));
-  }
-  void Send(char kind, unsigned short request_number, const unsigned char* payload, size_t size);
+  void Send(char kind, unsigned char id, unsigned short request_number, size_t payload_size);
   void SendError(unsigned short request_number, unsigned short code, const char* text);
 
   const Settings& settings_;

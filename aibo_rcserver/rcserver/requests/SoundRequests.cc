@@ -67,7 +67,6 @@ void SoundRequests::Heard(OSoundVectorData* vector) {
 void SoundRequests::PushEnds() {
   SoundEnd end;
   while (exchange_.HasRoom() && speaker_.TakeEnd(&end)) {
-    const size_t size = exchange_.Complete(SOUND_PUSH, SOUND_SPEAKER, 0, encode(end, exchange_.Payload()));
-    exchange_.Out().Add(exchange_.Message(), size);
+    exchange_.Push(SOUND_PUSH, end, SOUND_SPEAKER);
   }
 }

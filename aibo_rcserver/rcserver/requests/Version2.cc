@@ -85,7 +85,7 @@ void Version2::PushPowerOff(const char* reason) {
 bool Version2::AskForSign() {
   const bool has_room = exchange_.HasRoom();
   if (has_room) {
-    exchange_.PushWithoutPayload(replyKind(REQUEST_HELLO));
+    exchange_.Push(replyKind(REQUEST_HELLO), NoPayload());
   }
   return has_room;
 }
