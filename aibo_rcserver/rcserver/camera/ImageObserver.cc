@@ -4,14 +4,7 @@ const size_t ImageObserver::MAX_OWED;
 const char ImageObserver::TOO_MANY_OWED[] = "too many pictures are owed already; wait until some have come";
 
 ImageObserver::ImageObserver()
-    : state_(IOS_IDLE),
-      has_detail_(true),
-      stream_order_(),
-      every_nth_image_(1),
-      stream_has_begun_(false),
-      last_of_stream_(0),
-      oldest_owed_(0),
-      number_of_owed_(0) {}
+    : state_(IOS_IDLE), has_detail_(true), stream_order_(), oldest_owed_(0), number_of_owed_(0) {}
 
 bool ImageObserver::RequestPicture(const PictureOrder& order) {
   if (number_of_owed_ == MAX_OWED) {
@@ -30,8 +23,7 @@ bool ImageObserver::RequestPicture(const PictureOrder& order) {
 void ImageObserver::StartStream(const PictureOrder& order, unsigned short every_nth_image) {
   stream_order_ = order;
   stream_order_.is_of_stream = true;
-  every_nth_image_ = every_nth_image;
-  stream_has_begun_ = false;
+  stream_interval_ = Interval(every_nth_image);
   state_ = IOS_CONTINUOUS;
 }
 
@@ -57,14 +49,15 @@ bool ImageObserver::ImageArrived(unsigned image_count, PictureOrder* order) {
         TakeOldestOwed(order);
         return true;
       }
-      return TakeStreamPicture(image_count, order);
+      *order = stream_order_;
+      return stream_interval_.Chooses(image_count);
   }
   return false;
 }
 
 void ImageObserver::TakeAgain(const PictureOrder& order, unsigned image_count) {
   if (order.is_of_stream) {
-    last_of_stream_ = image_count;
+    stream_interval_.Replace(image_count);
   }
 }
 
@@ -82,16 +75,4 @@ void ImageObserver::TakeOldestOwed(PictureOrder* order) {
   *order = owed_[oldest_owed_];
   oldest_owed_ = (oldest_owed_ + 1) % MAX_OWED;
   --number_of_owed_;
-}
-
-bool ImageObserver::TakeStreamPicture(unsigned image_count, PictureOrder* order) {
-  // The count is used only if images are to be skipped, so that a camera whose count does not advance can still stream
-  // every image.
-  if (every_nth_image_ > 1 && stream_has_begun_ && image_count - last_of_stream_ < every_nth_image_) {
-    return false;
-  }
-  stream_has_begun_ = true;
-  last_of_stream_ = image_count;
-  *order = stream_order_;
-  return true;
 }

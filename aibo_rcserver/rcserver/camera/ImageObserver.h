@@ -4,6 +4,8 @@
 
 #include <stddef.h>
 
+#include "rcserver/Interval.h"
+
 // The names and comments of the states are those of the report, section 3.3.2.
 enum ImageObserverState {
   IOS_IDLE,        ///< do nothing
@@ -72,14 +74,11 @@ class ImageObserver {
 
  private:
   void TakeOldestOwed(PictureOrder* order);
-  bool TakeStreamPicture(unsigned image_count, PictureOrder* order);
 
   ImageObserverState state_;
   bool has_detail_;
   PictureOrder stream_order_;
-  unsigned short every_nth_image_;
-  bool stream_has_begun_;        ///< a picture of this stream has been sent
-  unsigned last_of_stream_;      ///< image count of the stream's last picture
+  Interval stream_interval_;
   PictureOrder owed_[MAX_OWED];  ///< a ring buffer
   size_t oldest_owed_;
   size_t number_of_owed_;

@@ -69,17 +69,18 @@ void CameraRequests::SendDatagrams() {
 }
 
 void CameraRequests::DetectColors() {
-  ColorSettings settings = {1, false};
+  ColorSettings settings;
   switch (exchange_.Id()) {
     case COLORS_OFF:
       if (exchange_.HasNoPayload()) {
-        SwitchColors(false, settings);
+        SwitchColors(Interval());
         exchange_.ReplyWithoutPayload();
       }
       break;
     case COLORS_ON:
       if (exchange_.Decode(&settings)) {
-        SwitchColors(true, settings);
+        SwitchColors(Interval(settings.every_nth_image));
+        with_plane_ = settings.with_plane;
         exchange_.Reply(settings);
       }
       break;
@@ -94,20 +95,18 @@ void CameraRequests::DetectColors() {
 void CameraRequests::ColorsDetected(const ColorPlane& plane, unsigned image_count, unsigned frame) {
   if (plane.pixels == NULL) {
     if (exchange_.HasRoom()) {
-      SwitchColors(false, wish_.settings);
+      SwitchColors(Interval());
       exchange_.PushError(CODE_NOT_SUPPORTED,
                           "the images of this robot's camera have no plane with the colours detected");
     }
     return;
   }
-  wish_.has_pushed = true;
-  wish_.last = image_count;
   ColorRegions regions;
   regions.image_count = image_count;
   regions.frame_number = frame;
   regions.width = static_cast<unsigned short>(plane.width);
   regions.height = static_cast<unsigned short>(plane.height);
-  regions.has_plane = wish_.settings.with_plane && canPackPlane(plane);
+  regions.has_plane = with_plane_ && canPackPlane(plane);
   countColors(plane, robot_.camera.LoadedTables(), &regions);
   regions.plane = NULL;
   regions.plane_size = 0;
@@ -131,9 +130,8 @@ bool CameraRequests::MakesLayer(Layer layer) {
 }
 
 // Switches the detection. Detections that wait were made with the earlier settings, and are dropped.
-void CameraRequests::SwitchColors(bool on, const ColorSettings& settings) {
-  const Wish wish = {on, settings, false, 0};
-  wish_ = wish;
+void CameraRequests::SwitchColors(const Interval& colors) {
+  colors_ = colors;
   exchange_.Out().Colors().Drop();
 }
 

@@ -44,26 +44,24 @@ void AddWalk(Walker& walker, Telemetry* telemetry) {
 }  // namespace
 
 TelemetryRequests::TelemetryRequests(const Robot& robot, Exchange& exchange)
-    : robot_(robot), exchange_(exchange), wish_() {}
+    : robot_(robot), exchange_(exchange), content_(TELEMETRY_PLAIN) {}
 
 void TelemetryRequests::SetPeriod() {
   TelemetryPeriod period;
   if (exchange_.Decode(&period)) {
-    wish_ = Wish();
-    wish_.period = period.frames = WholeSensorPeriods(period.frames);
-    wish_.content = static_cast<unsigned char>(exchange_.Id() & TELEMETRY_WITH_DUTY);
-    exchange_.AnswerWithId(wish_.content);
+    period.frames = WholeSensorPeriods(period.frames);
+    interval_ = Interval(period.frames);
+    content_ = static_cast<unsigned char>(exchange_.Id() & TELEMETRY_WITH_DUTY);
+    exchange_.AnswerWithId(content_);
     exchange_.Out().Telemetry().Drop();
     exchange_.Reply(period);
   }
 }
 
 void TelemetryRequests::Measured(unsigned frame) {
-  if (wish_.period == 0 || (wish_.has_pushed && frame - wish_.last < wish_.period)) {
+  if (!interval_.Chooses(frame)) {
     return;
   }
-  wish_.has_pushed = true;
-  wish_.last = frame;
   const JointControl& joints = robot_.joints;
   const SensorDriver& sensors = robot_.sensors;
   Telemetry telemetry;
@@ -78,7 +76,7 @@ void TelemetryRequests::Measured(unsigned frame) {
       Add(GROUP_SENSOR, sensor.identifier, protocol::version2SensorValue(sensor.kind, sensors.Value(i)), &telemetry);
     }
   }
-  const bool with_duty = (wish_.content & TELEMETRY_WITH_DUTY) != 0;
+  const bool with_duty = (content_ & TELEMETRY_WITH_DUTY) != 0;
   for (int i = 0; with_duty && i < joints.NumberOfJoints(); ++i) {
     Add(GROUP_DUTY, joints.Identifier(i), MillionthsOfFullDuty(joints.Duty(i)), &telemetry);
   }

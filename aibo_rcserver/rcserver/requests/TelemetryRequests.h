@@ -1,6 +1,7 @@
 #ifndef AIBO_RCSERVER_RCSERVER_REQUESTS_TELEMETRY_REQUESTS_H
 #define AIBO_RCSERVER_RCSERVER_REQUESTS_TELEMETRY_REQUESTS_H
 
+#include "rcserver/Interval.h"
 #include "rcserver/requests/Exchange.h"
 #include "rcserver/requests/Robot.h"
 
@@ -10,7 +11,7 @@ class TelemetryRequests {
   TelemetryRequests(const Robot& robot, Exchange& exchange);
 
   /// Call this for a new client, which gets no telemetry at first.
-  void Begin() { wish_ = Wish(); }
+  void Begin() { interval_ = Interval(); }
 
   /// Carries out `T`.
   void SetPeriod();
@@ -20,17 +21,10 @@ class TelemetryRequests {
   void Measured(unsigned frame);
 
  private:
-  // What the client wants. Everything is 0 for a new client.
-  struct Wish {
-    unsigned short period;  ///< in frames; 0: no telemetry
-    unsigned char content;  ///< bits of TelemetryContent
-    bool has_pushed;        ///< telemetry was pushed since the period was set
-    unsigned last;          ///< frame in which telemetry was last pushed
-  };
-
   const Robot& robot_;
   Exchange& exchange_;
-  Wish wish_;
+  Interval interval_;
+  unsigned char content_;  ///< bits of TelemetryContent
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_REQUESTS_TELEMETRY_REQUESTS_H
