@@ -104,9 +104,8 @@ Walker::Walker(JointPlanner& planner, const RobotModel& robot, OrderBook& orders
       has_legs_(false),
       goes_soft_(false),
       has_softened_(false),
-      rest_(),
+      before_rest_(0),
       order_(OrderBook::NO_ORDER),
-      is_walk_(false),
       posture_(POSTURE_STAND),
       route_(),
       walk_() {
@@ -156,9 +155,9 @@ Velocity Walker::Steer(const Velocity& wanted, bool guarded, unsigned short numb
     ReplaceOrder(WALK_BEGAN, ENDED_WALK, number, WALK_NAME);
   }
   if (!IsWalk()) {
-    Begin(true, POSTURE_STAND);
+    Begin(POSTURE_WALK);
   }
-  walk_.has_next = false;
+  walk_.next = POSTURE_UNKNOWN;
   walk_.ends = false;
   walk_.frames_since_steered = 0;
   if (!guarded) {  // an unguarded walk does not look at the ground
@@ -177,11 +176,10 @@ void Walker::Take(Posture posture, unsigned short number) {
   head_.Begin(NeedsLevelHead(posture));
   ReplaceOrder(POSTURE_BEGAN, ENDED_POSTURE, number, postureName(posture));
   if (activity_ != WALKING) {
-    Begin(false, posture);
+    Begin(posture);
     return;
   }
   walk_.ends = true;
-  walk_.has_next = true;
   walk_.next = posture;
 }
 
@@ -193,7 +191,7 @@ void Walker::Stop(const EndReason& reason) {
 
 void Walker::MotorsGoOff(const EndReason& reason) {
   has_softened_ = has_softened_ || goes_soft_;
-  Stop(rest_.is_over ? DONE : reason);
+  Stop(activity_ == HAS_RESTED ? DONE : reason);
 }
 
 void Walker::Brake(const EndReason& reason) {
@@ -205,12 +203,11 @@ void Walker::Brake(const EndReason& reason) {
 }
 
 void Walker::ClientGone() {
-  const bool rests = activity_ == WALKING ? walk_.has_next && walk_.next == POSTURE_REST
-                                          : IsActive() && !is_walk_ && posture_ == POSTURE_REST;
+  const bool rests = activity_ == WALKING ? walk_.next == POSTURE_REST : IsActive() && posture_ == POSTURE_REST;
   if (activity_ != WALKING && !rests) {
     Stop(CLIENT_GONE);
-  } else if (activity_ == WALKING && walk_.has_next && !rests) {
-    walk_.has_next = false;
+  } else if (activity_ == WALKING && HasNext() && !rests) {
+    walk_.next = POSTURE_UNKNOWN;
     orders_.End(order_, CLIENT_GONE);
     order_ = OrderBook::NO_ORDER;
   } else if (!rests) {
@@ -227,7 +224,7 @@ void Walker::NextFrame() {
   if (!IsMoving()) {
     return;
   }
-  if (is_walk_ && ++walk_.frames_since_steered >= STEERING_FRAMES) {
+  if (IsWalk() && ++walk_.frames_since_steered >= STEERING_FRAMES) {
     EndWalkInStand(NOT_STEERED);
   }
   if (activity_ == TAKING_POSTURE && route_.plans_again) {
@@ -276,8 +273,11 @@ void Walker::Measured(const FallWatch::Reading& reading, const int* positions, u
     }
   }
   goes_soft_ = has_legs_ && !route_.gets_up && lies && fall_watch_.Duration(frame) >= FRAMES_TO_SOFTEN;
-  rest_.since = rest_.lies ? rest_.since : frame;
-  rest_.is_over = rest_.lies && frame - rest_.since >= FRAMES_TO_FOLLOW;
+  if (activity_ != RESTING) {
+    before_rest_ = frame;
+  } else if (frame - before_rest_ >= FRAMES_TO_FOLLOW) {
+    activity_ = HAS_RESTED;
+  }
 }
 
 // Makes the guard forget the ground if the robot has been somewhere else.
@@ -306,7 +306,7 @@ void Walker::HaveLooked(const WalkGuard::Reading& reading) {
 }
 
 bool Walker::TriesAnotherRoute(int joint) {
-  if (activity_ != TAKING_POSTURE || rest_.lies || !Moves(joint) || route_.attempts >= ATTEMPTS) {
+  if (activity_ != TAKING_POSTURE || !Moves(joint) || route_.attempts >= ATTEMPTS) {
     return false;
   }
   route_.plans_again = true;
@@ -347,17 +347,14 @@ WalkState Walker::State() const {
 
 // Begins an order in place of the present one. A walk that was to end anyway ends for its own reason.
 void Walker::ReplaceOrder(const EndReason& reason, unsigned char what, unsigned short number, const char* name) {
-  orders_.End(order_, IsWalk() && walk_.ends && !walk_.has_next ? walk_.end_reason : reason);
+  orders_.End(order_, IsWalk() && walk_.ends && !HasNext() ? walk_.end_reason : reason);
   order_ = orders_.Begin(what, number, name);
 }
 
-void Walker::Begin(bool is_walk, Posture posture) {
+void Walker::Begin(Posture posture) {
   activity_ = TAKING_POSTURE;
   has_legs_ = true;
-  rest_.lies = false;
-  rest_.is_over = false;
   has_softened_ = false;
-  is_walk_ = is_walk;
   posture_ = posture;
   route_ = Route();
   route_.gets_up = HasFallen();
@@ -376,7 +373,8 @@ void Walker::PlanRoute(bool lies_down) {
   } else {
     LegAngles legs[NUMBER_OF_LEGS];
     legs_.Find(legs);
-    route_.size = postures_.FindRoute(legs, posture_, lies_down, route_.stages);
+    const Posture posture = IsWalk() ? POSTURE_STAND : posture_;
+    route_.size = postures_.FindRoute(legs, posture, lies_down, route_.stages);
   }
   ++route_.attempts;
 }
@@ -393,7 +391,7 @@ void Walker::BeginNextStage() {
   const int milliseconds = static_cast<int>(static_cast<double>(farthest) / SpeedIn(next) * 1000);
   planner_.Go(milliseconds);
   route_.frames_to_settle = route_.rolls && route_.begun == route_.size ? FRAMES_TO_SETTLE : 0;
-  const bool rests = !is_walk_ && posture_ == POSTURE_REST && next == Postures::REST;
+  const bool rests = posture_ == POSTURE_REST && next == Postures::REST;
   if (rests || route_.rolls) {
     head_.Go(milliseconds);
   }
@@ -412,13 +410,13 @@ void Walker::FinishRoute() {
     BeginNextStage();
   } else if (route_.rolls) {
     Brake(EndReason::Of(END_FELL, FallWatch::Words(fall_watch_.Now())));
-  } else if (is_walk_ && !walk_.ends) {
+  } else if (IsWalk() && !walk_.ends) {
     walked_.Begin();
     activity_ = WALKING;
-  } else if (!is_walk_ && posture_ == POSTURE_REST) {
-    rest_.lies = true;
+  } else if (posture_ == POSTURE_REST) {
+    activity_ = RESTING;
   } else {
-    Finish(is_walk_ ? walk_.end_reason : DONE);
+    Finish(IsWalk() ? walk_.end_reason : DONE);
   }
 }
 
@@ -438,9 +436,10 @@ void Walker::Walk() {
   ChangeVelocity();
   const bool stops = walk_.ends && walk_.pace.velocity.isZero() && walk_.pace.correction.isZero();
   if (stops && walk_.pace.effort == 0) {
-    if (walk_.has_next) {
-      walk_.has_next = false;
-      Begin(false, walk_.next);
+    if (HasNext()) {
+      const Posture next = walk_.next;
+      walk_.next = POSTURE_UNKNOWN;
+      Begin(next);
     } else {
       Finish(walk_.end_reason);
     }
@@ -516,9 +515,7 @@ void Walker::SetFeet(const Velocity& velocity) {
 void Walker::Finish(const EndReason& reason) {
   activity_ = IDLE;
   route_.gets_up = false;
-  rest_.lies = false;
-  rest_.is_over = false;
-  walk_.has_next = false;
+  walk_.next = POSTURE_UNKNOWN;
   orders_.End(order_, reason);
   order_ = OrderBook::NO_ORDER;
 }

@@ -77,7 +77,7 @@ class Walker {
   }
 
   /// The number of the request that began the walk; 0 without a walk, or if the walk ends for a posture.
-  unsigned short WalkNumber() const { return IsWalk() && !walk_.has_next ? orders_.Number(order_) : 0; }
+  unsigned short WalkNumber() const { return IsWalk() && !HasNext() ? orders_.Number(order_) : 0; }
 
   /// Takes a posture. The order to walk ends at once, but the legs first walk to the stand. Call it only if there is no
   /// Problem() with it.
@@ -112,7 +112,7 @@ class Walker {
   bool IsActive() const { return activity_ != IDLE; }
 
   /// The same as IsActive(), but false while the robot only waits for its motors to go off.
-  bool IsMoving() const { return activity_ != IDLE && !rest_.lies; }
+  bool IsMoving() const { return activity_ == TAKING_POSTURE || activity_ == WALKING; }
 
   /// Call this when a joint does not follow its commands.
   /// @return true if the joint may yield, because the robot now tries another route to its posture
@@ -131,7 +131,7 @@ class Walker {
   void HaveLooked(const WalkGuard::Reading& reading);
 
   /// True if the motors must go off because the robot has lain down to rest or GoesSoft(). MotorsGoOff() confirms.
-  bool WantsMotorsOff() const { return rest_.is_over || goes_soft_; }
+  bool WantsMotorsOff() const { return activity_ == HAS_RESTED || goes_soft_; }
 
   /// True if the robot has been lying on its side or its back for a second, does not get up, and this class moved the
   /// legs last. The legs must not push against obstacles.
@@ -154,7 +154,13 @@ class Walker {
   protocol::version2::Velocity TakeVelocity() { return walked_.Take(activity_ == WALKING); }
 
  private:
-  enum Activity { IDLE, TAKING_POSTURE, WALKING };
+  enum Activity {
+    IDLE,
+    TAKING_POSTURE,  ///< or getting ready to walk
+    WALKING,
+    RESTING,    ///< the robot has lain down to rest, and waits until the joints have followed
+    HAS_RESTED  ///< the joints have followed
+  };
 
   /// How the robot walks now. A walk begins with Pace(), which is all 0.
   struct Pace {
@@ -180,30 +186,23 @@ class Walker {
     int frames_to_settle;  ///< until the robot lies still at the route's end
   };
 
-  /// A robot that has lain down to rest.
-  struct Rest {
-    bool lies;       ///< the robot lies, and waits until the joints have followed
-    bool is_over;    ///< the joints have followed
-    unsigned since;  ///< frame of the last measurement before the robot lay
-  };
-
   /// The walk that goes on, or the last one.
   struct Steering {
     bool is_guarded;
     bool ends;  ///< the walk ends in the stand, for end_reason
     EndReason end_reason;
-    bool has_next;  ///< the posture `next` follows the walk, and is the order
-    protocol::version2::Posture next;
+    protocol::version2::Posture next;  ///< the posture that follows the walk, and is the order; POSTURE_UNKNOWN if none
     protocol::version2::Velocity wanted;
     Pace pace;
     int frames_since_steered;
   };
 
   bool HasFallen() const { return FallWatch::IsFallen(fall_watch_.Now()) && FallWatch::IsFallen(fall_watch_.Last()); }
-  bool IsWalk() const { return IsActive() && is_walk_; }
+  bool IsWalk() const { return IsActive() && posture_ == protocol::version2::POSTURE_WALK; }
+  bool HasNext() const { return walk_.next != protocol::version2::POSTURE_UNKNOWN; }
   void Brake(const EndReason& reason);
   void ReplaceOrder(const EndReason& reason, unsigned char what, unsigned short number, const char* name);
-  void Begin(bool is_walk, protocol::version2::Posture posture);
+  void Begin(protocol::version2::Posture posture);
   void PlanRoute(bool lies_down);
   void BeginNextStage();
   void FinishRoute();
@@ -232,11 +231,10 @@ class Walker {
   bool has_legs_;  ///< nothing else has moved the legs since
   bool goes_soft_;
   bool has_softened_;
-  Rest rest_;
+  unsigned before_rest_;  ///< frame of the last measurement before the robot had lain down to rest
   char problem_[OrderBook::MAX_TEXT_SIZE];
   int order_;  ///< NO_ORDER if nothing is done, or if the client has gone before its posture could begin
-  bool is_walk_;
-  protocol::version2::Posture posture_;  ///< the posture, unless the robot walks
+  protocol::version2::Posture posture_;  ///< POSTURE_WALK if the robot walks, or gets ready to
   Route route_;
   Steering walk_;
 };
