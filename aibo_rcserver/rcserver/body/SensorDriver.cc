@@ -6,7 +6,7 @@
 
 namespace {
 
-const longword FRAMES_BETWEEN_POWER = 125;  // 1 s
+const unsigned FRAMES_BETWEEN_POWER = 125;  // 1 s
 
 // The charge in millionths. OPEN-R gives it in per cent.
 int ChargeOf(const OPowerStatus& status) {
@@ -22,7 +22,7 @@ int TemperatureOf(const OPowerStatus& status) {
 }  // namespace
 
 SensorDriver::SensorDriver(const robot_model::RobotModel& robot)
-    : robot_(robot), last_power_(0 - FRAMES_BETWEEN_POWER) {
+    : robot_(robot), power_interval_(FRAMES_BETWEEN_POWER) {
   for (int i = 0; i < robot_model::MAX_SENSORS; ++i) {
     has_value_[i] = false;
     values_[i] = 0;
@@ -47,8 +47,8 @@ bool SensorDriver::Read(OSensorFrameVectorData* vector, longword* frame) {
     reports.Read(&report);
     Measured(reports.Row(), report.value);
   }
-  if (is_any && *frame - last_power_ >= FRAMES_BETWEEN_POWER) {
-    ReadPower(*frame);
+  if (is_any && power_interval_.Chooses(*frame)) {
+    ReadPower();
   }
   return is_any;
 }
@@ -59,8 +59,7 @@ void SensorDriver::Measured(int sensor, int value) {
 }
 
 // Sensors that are not primitives get their values from the power supply.
-void SensorDriver::ReadPower(longword now) {
-  last_power_ = now;
+void SensorDriver::ReadPower() {
   OPowerStatus status;
   if (OPENR::GetPowerStatus(&status) != oSUCCESS) {
     return;

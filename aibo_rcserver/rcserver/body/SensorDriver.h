@@ -3,6 +3,7 @@
 
 #include <OPENR/ODataFormats.h>
 
+#include "rcserver/Interval.h"
 #include "rcserver/body/Primitives.h"
 #include "robot_model/robot_model.h"
 
@@ -34,13 +35,13 @@ class SensorDriver {
   void Measured(int sensor, int value);
 
  private:
-  void ReadPower(longword now);
+  void ReadPower();
 
   const robot_model::RobotModel& robot_;
   Primitives primitives_;
   bool has_value_[robot_model::MAX_SENSORS];
   int values_[robot_model::MAX_SENSORS];
-  longword last_power_;  ///< frame in which the battery was last read
+  Interval power_interval_;
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_BODY_SENSOR_DRIVER_H
