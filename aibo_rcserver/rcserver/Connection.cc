@@ -20,7 +20,14 @@ const size_t Connection::SEND_CAPACITY;
 const size_t Connection::RECEIVE_SIZE;
 
 Connection::Connection()
-    : object_(), buffer_(), endpoint_number_(0), state_(CLOSED), aborting_(false), close_began_(0), client_() {}
+    : object_(),
+      buffer_(),
+      endpoint_number_(0),
+      state_(CLOSED),
+      now_(0),
+      aborting_(false),
+      close_began_(0),
+      client_() {}
 
 bool Connection::Create(OID object) {
   object_ = object;
@@ -47,7 +54,7 @@ bool Connection::Listen(Port port, size_t endpoint_number) {
   client_ = Client();
   TCPEndpointListenMsg listen(endpoint_, IP_ADDR_ANY, port);
   if (!Post(listen, Extra_Entry[entryListenCont], sizeof(listen))) {
-    Close(true, 0);
+    Close(true);
     return false;
   }
   return true;
@@ -55,18 +62,19 @@ bool Connection::Listen(Port port, size_t endpoint_number) {
 
 void Connection::Accepted(const TCPEndpointListenMsg& answer) {
   state_ = CONNECTED;
+  client_.connected = client_.last_bytes = client_.last_given = client_.last_sent = client_.last_taken = now_;
   client_.address = answer.fAddress.Address();
   sprintf(client_.name, "%u.%u.%u.%u:%u", client_.address >> 24, (client_.address >> 16) & 0xff,
           (client_.address >> 8) & 0xff, client_.address & 0xff, static_cast<unsigned>(answer.fPort));
 }
 
-void Connection::Close(bool abort, longword now) {
+void Connection::Close(bool abort) {
   if (state_ == CLOSED || (state_ == CLOSING && (aborting_ || !abort))) {
     return;
   }
   state_ = CLOSING;
   aborting_ = abort;
-  close_began_ = now;
+  close_began_ = now_;
   TCPEndpointCloseMsg close(endpoint_);
   close.abort = abort;
   if (!Post(close, Extra_Entry[entryCloseCont], sizeof(close))) {
@@ -75,8 +83,9 @@ void Connection::Close(bool abort, longword now) {
 }
 
 void Connection::PassTime(longword now) {
+  now_ = now;
   if (state_ == CLOSING && now - close_began_ >= CLOSE_PATIENCE) {
-    Close(true, now);
+    Close(true);
   }
 }
 
@@ -93,6 +102,8 @@ bool Connection::Send(size_t size, bool is_picture) {
 
 bool Connection::Sent() {
   client_.sending = false;
+  client_.last_sent = now_;
+  client_.last_taken = client_.last_given == now_ ? client_.last_taken : now_;
   if (client_.unsent_size > 0) {
     return SendPart();
   }
@@ -119,6 +130,7 @@ bool Connection::Receive() {
 
 void Connection::Received(size_t size) {
   client_.receiving = false;
+  client_.last_bytes = now_;
   client_.received_end += size;
 }
 
@@ -127,6 +139,7 @@ bool Connection::SendPart() {
   TCPEndpointSendMsg send(endpoint_, client_.unsent, static_cast<int>(size));
   client_.unsent += size;
   client_.unsent_size -= size;
+  client_.last_given = now_;
   client_.sending = Post(send, Extra_Entry[entrySendCont], sizeof(send));
   return client_.sending;
 }

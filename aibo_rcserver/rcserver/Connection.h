@@ -5,6 +5,8 @@
 #include <TCPEndpointMsg.h>
 #include <ant.h>
 
+#include <algorithm>
+
 #include "picture_encoder/PictureJob.h"
 #include "rcserver/Outbox.h"
 #include "rcserver/Session.h"
@@ -57,10 +59,9 @@ class Connection {
   /// Begins to close the connection. If the IPStack refuses, the connection counts as closed.
   /// @param abort true: reset the connection, for a client that is turned away or considered dead; false: data already
   ///   sent still arrives
-  /// @param now OPEN-R frame
-  void Close(bool abort, longword now);
+  void Close(bool abort);
 
-  /// Aborts an orderly close that takes too long.
+  /// Call this in each frame, before anything else. It aborts an orderly close that takes too long.
   /// @param now OPEN-R frame
   void PassTime(longword now);
 
@@ -95,6 +96,13 @@ class Connection {
   /// True if a client has connected since the last call of Listen().
   bool HadClient() const { return client_.name[0] != '\0'; }
 
+  // Frames since the client connected; since bytes last came from it; since it gave a sign of life: bytes, or a send
+  // that has completed; and since bytes came, or it took some that had waited in the IPStack.
+  longword FramesConnected() const { return now_ - client_.connected; }
+  longword FramesWithoutBytes() const { return now_ - client_.last_bytes; }
+  longword FramesWithoutSign() const { return std::min(FramesWithoutBytes(), now_ - client_.last_sent); }
+  longword FramesQuiet() const { return std::min(FramesWithoutBytes(), now_ - client_.last_taken); }
+
   /// The client's address as a number; 127.0.0.1 is 0x7f000001.
   unsigned ClientAddress() const { return client_.address; }
 
@@ -113,6 +121,11 @@ class Connection {
     bool receiving;
     size_t received_begin;  ///< offset of the first byte that has not been taken
     size_t received_end;    ///< offset for the next received bytes
+    longword connected;
+    longword last_bytes;  ///< frame in which bytes last came
+    longword last_given;  ///< frame in which the IPStack was last given something to send
+    longword last_sent;   ///< frame in which it last accepted something
+    longword last_taken;  ///< frame in which it last accepted something that it was given in an earlier one
     unsigned address;
     char name[sizeof("255.255.255.255:65535")];
   };
@@ -129,6 +142,7 @@ class Connection {
   antModuleRef endpoint_;
   size_t endpoint_number_;
   State state_;
+  longword now_;
   bool aborting_;         ///< in CLOSING
   longword close_began_;  ///< in CLOSING: frame in which the close began
   Client client_;

@@ -1,12 +1,13 @@
 #include "rcserver/RCServer.h"
 
-#include <OPENR/OFbkImage.h>
 #include <OPENR/OSyslog.h>
 #include <OPENR/core_macro.h>
 
 #include <entry.h>
 #include <stdio.h>
 #include <string.h>
+
+#include <algorithm>
 
 #include "objects/HostSettings.h"
 #include "protocol/opening.h"
@@ -15,7 +16,6 @@
 namespace {
 
 const longword FRAMES_PER_SECOND = 125;  // of 8 ms
-const longword FRAMES_PER_MINUTE = 60 * FRAMES_PER_SECOND;
 
 bool IsStranger(const byte* bytes, size_t size) {
   protocol::Opening opening;
@@ -27,16 +27,6 @@ bool IsStranger(const byte* bytes, size_t size) {
 template <typename Vector>
 Vector* VectorOf(const ONotifyEvent& event, int number = 0) {
   return static_cast<Vector*>(const_cast<void*>(event.Data(number)));
-}
-
-// The plane of detected colours. Its pixels are NULL if the image has none.
-ColorPlane FindColorPlane(OFbkImageVectorData* image_vector) {
-  const OFbkImage image(image_vector->GetInfo(ofbkimageLAYER_C), image_vector->GetData(ofbkimageLAYER_C),
-                        ofbkimageBAND_CDT);
-  const bool is_there = image.IsValid() && image.Width() > 0 && image.Height() > 1;
-  const ColorPlane plane = {is_there ? image.Pointer() : NULL, static_cast<size_t>(image.Width()),
-                            static_cast<size_t>(image.Height()), static_cast<size_t>(image.Width() + image.Skip())};
-  return plane;
 }
 
 const char* ReasonOf(TCPEndpointError error) {
@@ -66,15 +56,12 @@ RCServer::RCServer()
       newcomer_(NULL),
       newcomer_since_(0),
       has_asked_(false),
-      quiet_since_(0),
       body_(NULL),
       power_down_(file_desk_),
       session_(NULL),
       last_picture_(0),
-      signs_(),
-      last_attempt_(0),
-      strangers_(0),
-      last_stranger_(0 - FRAMES_PER_MINUTE) {}
+      last_not_over_(0),
+      listen_interval_(FRAMES_PER_SECOND) {}
 
 OStatus RCServer::DoInit(const OSystemEvent&) {
   NEW_ALL_SUBJECT_AND_OBSERVER;
@@ -139,11 +126,15 @@ void RCServer::NotifyImage(const ONotifyEvent& event) {
   pictures_.CountImage(image_vector);
   session_->Pictures().SetHasDetail(PictureTaker::HasDetail(image_vector));
   if (client_ != NULL && pictures_.HasRoom()) {
-    OfferImage(image_vector);
+    const char* const problem =
+        pictures_.Offer(image_vector, session_->Pictures(), !IsSendingPicture(), body_->Camera().Settings());
+    if (problem != NULL) {
+      DropWithoutPicture(problem);
+    }
     BeginPicture();
   }
   if (client_ != NULL && session_->Camera().WantsColors(pictures_.ImageCount())) {
-    session_->Camera().ColorsDetected(FindColorPlane(image_vector), pictures_.ImageCount(),
+    session_->Camera().ColorsDetected(PictureTaker::FindColorPlane(image_vector), pictures_.ImageCount(),
                                       image_vector->GetInfo(ofbkimageLAYER_H)->frameNumber);
     ServeClient();
   }
@@ -220,7 +211,7 @@ void RCServer::ListenCont(ANTENVMSG msg) {
   if (answer->error != TCP_SUCCESS) {
     OSYSLOG1((osyslogERROR, "RCServer: cannot listen on port %d (error %d)", protocol::RCSERVER_PORT,
               static_cast<int>(answer->error)));
-    connection->Close(true, Now());
+    connection->Close(true);
     return;
   }
   connection->Accepted(*answer);
@@ -232,7 +223,6 @@ void RCServer::ListenCont(ANTENVMSG msg) {
     newcomer_ = connection;
     newcomer_since_ = Now();
     has_asked_ = false;
-    quiet_since_ = Now();
   } else {
     TurnAwayWhileBusy(connection);
   }
@@ -247,11 +237,6 @@ void RCServer::SendCont(ANTENVMSG msg) {
     DropClient(ReasonOf(answer->error), true);
     return;
   }
-  signs_.last_sign_of_life = Now();
-  if (signs_.last_given != Now()) {  // the bytes have waited until the client took others
-    quiet_since_ = Now();
-  }
-  signs_.last_given = Now();
   if (!client_->Sent()) {
     DropClient("the IPStack does not send", true);
     return;
@@ -276,9 +261,6 @@ void RCServer::ReceiveCont(ANTENVMSG msg) {
     return;
   }
   client_->Received(static_cast<size_t>(answer->sizeMin));
-  signs_.last_sign_of_life = Now();
-  signs_.last_bytes_received = Now();
-  quiet_since_ = Now();
   if (newcomer_ != NULL && has_asked_) {
     TurnAwayWhileBusy(newcomer_);
   }
@@ -345,7 +327,7 @@ void RCServer::PassTime(longword frame) {
   for (int i = 0; i < NUMBER_OF_CONNECTIONS; ++i) {
     connections_[i].PassTime(Now());
   }
-  if (Now() - last_attempt_ >= FRAMES_PER_SECOND) {
+  if (listen_interval_.Chooses(Now())) {
     ListenWhereClosed();
   }
   CheckNewcomer();
@@ -364,12 +346,12 @@ void RCServer::CheckClient() {
     return;
   }
   if (!session_->IsOver()) {
-    signs_.last_not_over = Now();
-  } else if (Now() - signs_.last_not_over >= FRAMES_PER_SECOND) {
+    last_not_over_ = Now();
+  } else if (Now() - last_not_over_ >= FRAMES_PER_SECOND) {
     DropClient(session_->EndReason(), true);
     return;
   }
-  if (session_->ExpectsHeartbeat() && Now() - signs_.last_bytes_received >= HEARTBEAT_FRAMES) {
+  if (session_->ExpectsHeartbeat() && client_->FramesWithoutBytes() >= HEARTBEAT_FRAMES) {
     DropClient("it has been silent for 5 s", true);
     return;
   }
@@ -380,14 +362,13 @@ void RCServer::CheckClient() {
 
 // A client that has not sent a whole request may be any program, so it gets less time, whatever bytes it sends.
 bool RCServer::IsClientSilent() const {
-  if (!session_->HasRequested() && Now() - signs_.admitted >= FIRST_REQUEST_FRAMES) {
+  if (!session_->HasRequested() && client_->FramesConnected() >= FIRST_REQUEST_FRAMES) {
     return true;
   }
-  return Now() - signs_.last_sign_of_life >= settings_.silent_client_seconds * FRAMES_PER_SECOND;
+  return client_->FramesWithoutSign() >= settings_.silent_client_seconds * FRAMES_PER_SECOND;
 }
 
 void RCServer::ListenWhereClosed() {
-  last_attempt_ = Now();
   for (int i = 0; i < NUMBER_OF_CONNECTIONS; ++i) {
     if (connections_[i].IsClosed() && !connections_[i].Listen(protocol::RCSERVER_PORT, ++endpoints_)) {
       OSYSLOG1((osyslogERROR, "RCServer: the IPStack has no endpoint to listen on port %d", protocol::RCSERVER_PORT));
@@ -414,8 +395,7 @@ void RCServer::Admit(Connection* newcomer) {
     newcomer_ = NULL;
   }
   client_ = newcomer;
-  const Signs signs = {Now(), Now(), Now(), Now(), false, Now()};
-  signs_ = signs;
+  last_not_over_ = Now();
   session_->Begin();
   datagrams_.ClientConnected(client_->ClientAddress());
   ServeClient();
@@ -459,9 +439,9 @@ void RCServer::CheckNewcomer() {
     }
   } else if (!is_silent && !has_asked_ && session_->AskForSign()) {
     has_asked_ = true;
-    quiet_since_ = Now();
+    newcomer_since_ = Now();
     ServeClient();
-  } else if (is_silent || Now() - quiet_since_ >= SIGN_FRAMES) {
+  } else if (is_silent || std::min(Now() - newcomer_since_, client_->FramesQuiet()) >= SIGN_FRAMES) {
     DropClient(is_silent ? "it was silent and another client came" : "it has come back over a new connection", true);
     Admit(newcomer_);
   }
@@ -482,7 +462,7 @@ void RCServer::TurnAwayWhileBusy(Connection* newcomer) {
 }
 
 void RCServer::CloseNewcomer(Connection* newcomer, bool abort) {
-  newcomer->Close(abort, Now());
+  newcomer->Close(abort);
   if (newcomer == newcomer_) {
     newcomer_ = NULL;
   }
@@ -496,18 +476,9 @@ void RCServer::TurnAway(Connection* newcomer, const char* reason) {
   }
 }
 
-// The console names few strangers, because a program such as a browser may try again without end.
 void RCServer::AbortStranger(Connection* stranger) {
   CloseNewcomer(stranger, true);
-  ++strangers_;
-  if (Now() - last_stranger_ >= FRAMES_PER_MINUTE) {
-    OSYSPRINT(
-        ("RCServer: %s is not a client: its first bytes are not a request, but may be a web browser's. %u such "
-         "connections have been aborted since the last report\n",
-         stranger->ClientName(), strangers_));
-    strangers_ = 0;
-    last_stranger_ = Now();
-  }
+  reports_.CountStranger(stranger->ClientName(), Now());
 }
 
 // Drops the client and ends everything it has started.
@@ -515,7 +486,7 @@ void RCServer::DropClient(const char* reason, bool abort) {
   if (reports_.Admits(Now())) {
     OSYSPRINT(("RCServer: client %s is gone: %s\n", client_->ClientName(), reason));
   }
-  client_->Close(abort, Now());
+  client_->Close(abort);
   ForgetClient();
 }
 
@@ -533,6 +504,7 @@ void RCServer::ServeClient() {
   if (client_ == NULL) {
     return;
   }
+  const bool had_requested = session_->HasRequested();
   session_->HandleRequests(PresentFrame());
   while (session_->WantsInput() && !session_->IsWithStranger() && client_->ReceivedSize() > 0) {
     session_->AddInput(client_->ReceivedBytes(), client_->ReceivedSize());
@@ -544,11 +516,8 @@ void RCServer::ServeClient() {
     ForgetClient();
     return;
   }
-  if (!signs_.is_announced && session_->HasRequested()) {
-    signs_.is_announced = true;
-    if (reports_.Admits(Now())) {
-      OSYSPRINT(("RCServer: client %s is connected\n", client_->ClientName()));
-    }
+  if (!had_requested && session_->HasRequested() && reports_.Admits(Now())) {
+    OSYSPRINT(("RCServer: client %s is connected\n", client_->ClientName()));
   }
   power_down_.Note(Now());
   if (pictures_.HasPicture() && !session_->Pictures().Wants(pictures_.Order())) {
@@ -570,7 +539,6 @@ bool RCServer::SendOutput() {
     return true;
   }
   bool succeeds = true;
-  signs_.last_given = Now();
   if (const PictureDatagrams::KeptPicture* left_over = datagrams_.TakeLeftOver(Now())) {
     succeeds = SendPicture(PictureOrder(), left_over->image, left_over->jpeg, left_over->size);
   } else if (pictures_.HasPicture() && !SoundGoesFirst()) {
@@ -600,28 +568,9 @@ bool RCServer::SendContent(size_t header_size, const byte* content, size_t size)
   return client_->Send(header_size + size, true);
 }
 
-void RCServer::OfferImage(OFbkImageVectorData* image_vector) {
-  PictureOrder order;
-  if (!FindOrder(&order)) {
-    return;
-  }
-  if (const char* problem = pictures_.Offer(image_vector, order, body_->Camera().Settings())) {
-    OSYSLOG1((osyslogERROR, "RCServer: %s", problem));
-    DropClient("there is no picture for it", true);
-  }
-}
-
-// Finds the kind of picture to make of this image; false if no picture is due.
-bool RCServer::FindOrder(PictureOrder* order) {
-  // A picture that still waits is replaced by one of this newer image.
-  if (!pictures_.TakeBack(order)) {
-    return !IsSendingPicture() && session_->Pictures().ImageArrived(pictures_.ImageCount(), order);
-  }
-  if (!session_->Pictures().Wants(*order)) {
-    return false;
-  }
-  session_->Pictures().TakeAgain(*order, pictures_.ImageCount());
-  return true;
+void RCServer::DropWithoutPicture(const char* problem) {
+  OSYSLOG1((osyslogERROR, "RCServer: no picture: %s", problem));
+  DropClient("there is no picture for it", true);
 }
 
 bool RCServer::IsSendingPicture() const {
@@ -645,8 +594,7 @@ void RCServer::BeginPicture() {
 void RCServer::UsePicture() {
   const EncodedPicture& picture = pictures_.Picture();
   if (picture.size == 0) {
-    OSYSLOG1((osyslogERROR, "RCServer: no picture: %s", picture.problem));
-    DropClient("there is no picture for it", true);
+    DropWithoutPicture(picture.problem);
     return;
   }
   if (pictures_.Order().is_for_stick) {

@@ -10,6 +10,7 @@
 
 #include "rcserver/Connection.h"
 #include "rcserver/FrameClock.h"
+#include "rcserver/Interval.h"
 #include "rcserver/PowerDown.h"
 #include "rcserver/ReportLimit.h"
 #include "rcserver/Session.h"
@@ -138,31 +139,19 @@ class RCServer : public OObject {
   bool SendPicture(const PictureOrder& order, const protocol::version2::ImageHeader& image, const byte* jpeg,
                    size_t size);
   bool SendContent(size_t header_size, const byte* content, size_t size);
-  void OfferImage(OFbkImageVectorData* image_vector);
-  bool FindOrder(PictureOrder* order);
+  void DropWithoutPicture(const char* problem);
   bool IsSendingPicture() const;
   bool SoundGoesFirst() const;
   void BeginPicture();
   void UsePicture();
 
-  // What has been noticed about the client.
-  struct Signs {
-    longword admitted;             ///< frame in which the client was admitted
-    longword last_bytes_received;  ///< frame in which bytes last came from it
-    longword last_sign_of_life;
-    longword last_not_over;  ///< last frame in which the session was not over
-    bool is_announced;       ///< the console has named the client
-    longword last_given;     ///< frame in which the IPStack was last given something for the client
-  };
-
   Connection connections_[NUMBER_OF_CONNECTIONS];
-  size_t endpoints_;      ///< number of endpoints created so far
-  Connection* client_;    ///< the client's connection; NULL if there is no client
-  Connection* newcomer_;  ///< a newcomer while there is a client; NULL if there is none
-  longword newcomer_since_;
-  bool has_asked_;        ///< the newcomer has sent a request, and the client was asked for a sign
-  longword quiet_since_;  ///< frame in which the newcomer came, the client was asked, or last sent or took bytes
-  Body* body_;            ///< exists from DoInit to DoDestroy
+  size_t endpoints_;         ///< number of endpoints created so far
+  Connection* client_;       ///< the client's connection; NULL if there is no client
+  Connection* newcomer_;     ///< a newcomer while there is a client; NULL if there is none
+  longword newcomer_since_;  ///< frame in which the newcomer came, or the client was asked
+  bool has_asked_;           ///< the newcomer has sent a request, and the client was asked for a sign
+  Body* body_;               ///< exists from DoInit to DoDestroy
   FrameClock clock_;
   FileDesk file_desk_;
   PowerDown power_down_;
@@ -171,12 +160,10 @@ class RCServer : public OObject {
   PictureDatagrams datagrams_;
   ReportLimit reports_;  ///< limits reports on clients that connect and leave
   Settings settings_;
-  Session* session_;       ///< exists from DoInit to DoDestroy
-  longword last_picture_;  ///< when the last picture was sent
-  Signs signs_;
-  longword last_attempt_;   ///< frame of the last attempt to listen
-  unsigned strangers_;      ///< strangers whose connections were aborted since the last report on the console
-  longword last_stranger_;  ///< frame of the last report on strangers
+  Session* session_;          ///< exists from DoInit to DoDestroy
+  longword last_picture_;     ///< when the last picture was sent
+  longword last_not_over_;    ///< last frame in which the session was not over
+  Interval listen_interval_;  ///< attempts to listen
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_RCSERVER_H

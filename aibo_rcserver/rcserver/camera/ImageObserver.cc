@@ -55,10 +55,12 @@ bool ImageObserver::ImageArrived(unsigned image_count, PictureOrder* order) {
   return false;
 }
 
-void ImageObserver::TakeAgain(const PictureOrder& order, unsigned image_count) {
-  if (order.is_of_stream) {
+bool ImageObserver::TakeAgain(const PictureOrder& order, unsigned image_count) {
+  const bool is_wanted = Wants(order);
+  if (is_wanted && order.is_of_stream) {
     stream_interval_.Replace(image_count);
   }
+  return is_wanted;
 }
 
 bool ImageObserver::Wants(const PictureOrder& order) const {

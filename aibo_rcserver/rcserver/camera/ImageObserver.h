@@ -61,9 +61,10 @@ class ImageObserver {
   /// @return true if a picture is to be made of this image
   bool ImageArrived(unsigned image_count, PictureOrder* order);
 
-  /// Call this when a picture that has not been sent is made again from a later image.
+  /// Call this when a picture that has not been sent can be made again from a later image.
   /// @param order from ImageArrived()
-  void TakeAgain(const PictureOrder& order, unsigned image_count);
+  /// @return see Wants()
+  bool TakeAgain(const PictureOrder& order, unsigned image_count);
 
   /// True if a picture is still wanted: it is owed, or the stream's quality and layer have not changed.
   /// @param order from ImageArrived()

@@ -50,10 +50,22 @@ bool PictureTaker::HasDetail(OFbkImageVectorData* image) {
   return OFbkImage(image->GetInfo(ofbkimageLAYER_H), image->GetData(ofbkimageLAYER_H), ofbkimageBAND_Y_HH).IsValid();
 }
 
-const char* PictureTaker::Offer(OFbkImageVectorData* image, const PictureOrder& order,
+ColorPlane PictureTaker::FindColorPlane(OFbkImageVectorData* image) {
+  const OFbkImage colors(image->GetInfo(ofbkimageLAYER_C), image->GetData(ofbkimageLAYER_C), ofbkimageBAND_CDT);
+  const bool is_there = colors.IsValid() && colors.Width() > 0 && colors.Height() > 1;
+  const ColorPlane plane = {is_there ? colors.Pointer() : NULL, static_cast<size_t>(colors.Width()),
+                            static_cast<size_t>(colors.Height()), static_cast<size_t>(colors.Width() + colors.Skip())};
+  return plane;
+}
+
+const char* PictureTaker::Offer(OFbkImageVectorData* image, ImageObserver& wanted, bool may_begin,
                                 const protocol::version2::CameraSettings& settings) {
+  PictureOrder order;
+  if (!FindOrder(wanted, may_begin, &order)) {
+    return NULL;
+  }
   if (!jobs_.HasReceiver()) {
-    return "no picture: the object PictureEncoder does not run: ENCODER.BIN is missing on the memory stick, or in its "
+    return "the object PictureEncoder does not run: ENCODER.BIN is missing on the memory stick, or in its "
            "OBJECT.CFG or CONNECT.CFG";
   }
   const bool is_double = order.layer == protocol::version2::LAYER_DOUBLE;
@@ -100,18 +112,6 @@ void PictureTaker::Begin() {
   jobs_.Send();
 }
 
-bool PictureTaker::TakeBack(PictureOrder* order) {
-  const bool is_any = is_waiting_ || HasPicture();
-  if (is_any) {
-    *order = is_waiting_ ? waiting_order_ : order_;
-  }
-  if (!is_waiting_) {
-    DropPicture();
-  }
-  is_waiting_ = false;
-  return is_any;
-}
-
 bool PictureTaker::Take(const ONotifyEvent& event, OObserver* observer) {
   picture_.Hold(event, observer);
   if (Picture().ticket != ticket_) {
@@ -127,4 +127,17 @@ void PictureTaker::Forget() {
   ticket_ = 0;
   is_waiting_ = false;
   DropPicture();
+}
+
+// Finds the kind of picture to make of the last image; false if none is due.
+bool PictureTaker::FindOrder(ImageObserver& wanted, bool may_begin, PictureOrder* order) {
+  if (!is_waiting_ && !HasPicture()) {
+    return may_begin && wanted.ImageArrived(image_count_, order);
+  }
+  *order = is_waiting_ ? waiting_order_ : order_;
+  if (!is_waiting_) {
+    DropPicture();
+  }
+  is_waiting_ = false;
+  return wanted.TakeAgain(*order, image_count_);
 }

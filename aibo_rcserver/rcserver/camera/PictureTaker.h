@@ -7,6 +7,7 @@
 #include "objects/RegionSender.h"
 #include "picture_encoder/PictureJob.h"
 #include "protocol/version2.h"
+#include "rcserver/camera/ColorCounter.h"
 #include "rcserver/camera/ImageObserver.h"
 
 /// Counts camera images, and passes them to PictureEncoder one at a time. While a picture is being made, the newest
@@ -33,19 +34,20 @@ class PictureTaker {
   unsigned ImageCount() const { return image_count_; }
 
   static bool HasDetail(OFbkImageVectorData* image);
+
+  /// The plane of detected colours. Its pixels are NULL if the image has none.
+  static ColorPlane FindColorPlane(OFbkImageVectorData* image);
+
   bool HasRoom() const { return jobs_.Memory() != NULL; }
 
-  /// Keeps the last counted image for the next picture, and replaces an image that waits. Call it only if HasRoom().
+  /// Keeps the last counted image for the next picture, if one is due. It replaces an image that waits, or a picture
+  /// that has been made but not sent. Call this only if HasRoom().
   /// @param image the image, which is copied
+  /// @param may_begin true: the image may be for a further picture; false: only in place of another one
   /// @param settings the settings of the camera
   /// @return NULL, or why no picture can be made
-  const char* Offer(OFbkImageVectorData* image, const PictureOrder& order,
+  const char* Offer(OFbkImageVectorData* image, ImageObserver& wanted, bool may_begin,
                     const protocol::version2::CameraSettings& settings);
-
-  /// Drops the image that waits, or the picture that has been made, so that a later image can replace it.
-  /// @param[out] order what the image or picture was for
-  /// @return false if there is neither
-  bool TakeBack(PictureOrder* order);
 
   /// True if an image waits and the encoder is ready for it.
   bool MayBegin() const { return is_waiting_ && jobs_.IsFree(); }
@@ -68,6 +70,8 @@ class PictureTaker {
   const protocol::version2::ImageHeader& Header() const { return header_; }
 
  private:
+  bool FindOrder(ImageObserver& wanted, bool may_begin, PictureOrder* order);
+
   RegionSender<PictureJob, 2> jobs_;
   unsigned image_count_;
   bool is_waiting_;
