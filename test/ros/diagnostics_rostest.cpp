@@ -15,6 +15,8 @@
 #include "support/ros/driver_process.h"
 #include "support/ros/topics.h"
 #include "support/simulated_robot.h"
+#include "support/test_pictures.h"
+#include "support/version2_frames.h"
 
 namespace {
 
@@ -116,7 +118,8 @@ TEST(StreamDiagnostics, ReportDamageOnceAndAreOkAgainAfterwards) {
   TopicListener<sensor_msgs::Image> viewer("/damage/camera/image_raw");
   watch.waitFor("stream", DiagnosticStatus::OK, "pictures/s");
   for (const auto& [spoil, count] : {std::pair(&cut, "pictures damaged"), {&cutBeforeItsEnd, "images not decodable"}}) {
-    server.spoilNext(spoil);
+    const Bytes damaged = version2_frames::makePicture(spoil(test_pictures::makeNumbered(1)), 1);
+    server.flood([next = version2_frames::makeFrame('f', 0, damaged)]() mutable { return std::exchange(next, {}); });
     watch.waitFor("stream", DiagnosticStatus::WARN, "1 damaged pictures dropped");
     const DiagnosticStatus later = watch.waitFor("stream", DiagnosticStatus::OK, "pictures/s");
     EXPECT_EQ(DiagnosticsListener::value(later, count), "1") << "it is still counted";

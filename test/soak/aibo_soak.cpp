@@ -21,7 +21,6 @@
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <random>
 #include <stdexcept>
 #include <thread>
@@ -31,7 +30,6 @@
 #include "robot_model/robot_model.h"
 #include "support/program.h"
 #include "support/proxy/fault_proxy.h"
-#include "support/proxy/scanners.h"
 #include "support/ros/driver_process.h"
 #include "support/safety_net.h"
 #include "support/simulated_robot.h"
@@ -44,7 +42,6 @@ namespace po = boost::program_options;
 using std::chrono::milliseconds;
 using test_support::Action;
 using test_support::Conditions;
-using test_support::Direction;
 using test_support::FaultProxy;
 using test_support::Welcome;
 
@@ -107,7 +104,7 @@ class Soak {
   bool run();
 
  private:
-  void hear(std::size_t connection, Direction direction, const std::uint8_t* data, std::size_t size);
+  void hear(const test_support::Bytes& accepted_joints);
   template <typename Message>
   void subscribe(const std::string& topic, const std::function<void(const Message&)>& take);
   void receive(const Call& call);
@@ -141,12 +138,10 @@ class Soak {
   std::size_t violations_ = 0;
   std::string scene_ = "start";
   Round round_;
-  std::uint64_t pictures_ = 0;                         ///< that the driver has published
-  std::size_t connection_ = 0;                         ///< the newest one to the robot
-  std::optional<test_support::ReplyScanner> replies_;  ///< over it
-  std::vector<aibo_driver::EndedMovement> ended_;      ///< as the newest motion_state has them
-  std::vector<Moving> moving_;                         ///< the same
-  std::map<unsigned, int> quiet_users_;                ///< how many, by round
+  std::uint64_t pictures_ = 0;                     ///< that the driver has published
+  std::vector<aibo_driver::EndedMovement> ended_;  ///< as the newest motion_state has them
+  std::vector<Moving> moving_;                     ///< the same
+  std::map<unsigned, int> quiet_users_;            ///< how many, by round
   bool is_connected_ = false;
 
   test_support::SimulatedRobot robot_;
@@ -168,8 +163,12 @@ Soak::Soak(const Options& options)
       driver_resources_(options.folder + "/driver.csv"),
       robot_resources_(options.folder + "/robot.csv"),
       begin_(now()),
-      proxy_(robot_.port(), [this](std::size_t connection, Direction direction, const std::uint8_t* data,
-                                   std::size_t size) { hear(connection, direction, data, size); }),
+      proxy_(robot_.port(),
+             [this](char kind, const test_support::Bytes& payload) {
+               if (kind == 'j') {
+                 hear(payload);
+               }
+             }),
       driver_(kNamespace, proxy_.port(), {test_support::kByTcp}),
       handle_(kNamespace) {
   constexpr bool kLatched = true;
@@ -193,22 +192,13 @@ Soak::Soak(const Options& options)
   }
 }
 
-// Which targets the robot accepts.
-void Soak::hear(std::size_t connection, Direction direction, const std::uint8_t* data, std::size_t size) {
+void Soak::hear(const test_support::Bytes& accepted_joints) {
+  protocol::version2::JointTargets accepted{};
+  protocol::version2::decode(accepted_joints.data(), accepted_joints.size(), &accepted);
+  const double time = now();
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!replies_ || connection > connection_) {
-    connection_ = connection;
-    replies_.emplace("j", [this](char /*kind*/, const test_support::Bytes& payload) {
-      protocol::version2::JointTargets accepted{};
-      protocol::version2::decode(payload.data(), payload.size(), &accepted);
-      const double time = now();
-      for (int i = 0; i < accepted.count; ++i) {
-        round_.accepted.push_back({time, nameOf(accepted.joints[i].id), 1e-6 * accepted.joints[i].value});
-      }
-    });
-  }
-  if (connection == connection_ && direction == Direction::kToClient) {
-    replies_->feed(data, size);
+  for (int i = 0; i < accepted.count; ++i) {
+    round_.accepted.push_back({time, nameOf(accepted.joints[i].id), 1e-6 * accepted.joints[i].value});
   }
 }
 

@@ -12,10 +12,11 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <functional>
+#include <future>
 #include <list>
 #include <mutex>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -24,13 +25,13 @@
 #include "support/sockets.h"
 #include "support/test_pictures.h"
 #include "support/version2_frames.h"
-#include "system/event.h"
 
 namespace test_support {
 
-/// A server that speaks both versions of the protocol to any number of clients. It has a new picture much more often
-/// than a camera, so that many faults fit into a minute. As on the robot, a picture that would have to wait is left
-/// out. Pictures are numbered in the order in which they are sent. Unlike a ScriptedServer, it answers by itself.
+/// A server that speaks both versions of the protocol to any number of clients, each on a thread of its own. It has a
+/// new picture much more often than a camera, so that many faults fit into a minute. As on the robot, a picture that
+/// would have to wait is left out. Pictures are numbered in the order in which they are sent. Unlike a ScriptedServer,
+/// it answers by itself.
 ///
 /// Every function may be called from any thread.
 class PictureServer {
@@ -43,46 +44,31 @@ class PictureServer {
   PictureServer(int version, std::chrono::microseconds period)
       : version_(version), period_(period), listener_(bindTo("127.0.0.1", 0)), times_(kRemembered) {
     test_pictures::makeNamed({});  // slow the first time
-    port_ = portOf(listener_);
     check(::listen(listener_.get(), SOMAXCONN) == 0, "listen");
-    thread_ = std::thread([this] { run(); });
+    accepting_ = std::async(std::launch::async, [this] { acceptClients(); });
   }
 
   ~PictureServer() {
-    stopping_ = true;
-    wake_up_.raise();
-    thread_.join();
+    is_stopping_ = true;
+    accepting_.wait();
   }
 
   PictureServer(const PictureServer&) = delete;
   PictureServer& operator=(const PictureServer&) = delete;
 
   /// On 127.0.0.1.
-  int port() const { return port_; }
+  int port() const { return portOf(listener_); }
 
-  /// While it is stopped, it neither reads nor sends, like a process that is held by SIGSTOP.
-  void setStopped(bool stopped) {
-    stopped_ = stopped;
-    wake_up_.raise();
-  }
-
-  /// From now on it sends this as fast as clients read, in addition to its answers. It is called on the server's
-  /// thread. Null: nothing.
+  /// From now on it sends this as fast as clients read, in addition to its answers, while it is not empty. It is called
+  /// by one thread at a time. Null: nothing.
   void flood(Flood flood) {
     const std::lock_guard<std::mutex> lock(mutex_);
     flood_ = std::move(flood);
-    wake_up_.raise();
   }
 
-  /// Whether it sends telemetry when it is asked for it (version 2): joints 1 and 2 at 0 and a battery half full, every
-  /// 32 ms. At first it does not.
+  /// Whether it sends telemetry when it is asked for it (version 2): joints 1 and 2 at 0 and a battery half full, in
+  /// each period. At first it does not.
   void setTelemetry(bool on) { telemetry_ = on; }
-
-  /// Has the next picture of a stream sent as this function changes it.
-  void spoilNext(std::function<Bytes(Bytes jpeg)> change) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    spoil_ = std::move(change);
-  }
 
   /// Number of the picture that was sent last.
   std::uint64_t lastNumber() const { return number_; }
@@ -98,76 +84,62 @@ class PictureServer {
   using steady_clock = std::chrono::steady_clock;
 
   struct Peer {
-    Peer(host_files::FileDescriptor client, std::uint32_t number, bool knows_version2)
-        : socket(std::move(client)), connection(number), requests(knows_version2) {}
     host_files::FileDescriptor socket;
     std::uint32_t connection;
-    RequestScanner requests;
     bool version2 = false;
     bool streaming = false;
-    bool telemetry = false;   // wanted
-    std::vector<int> owed{};  // request numbers of pictures; 0 in version 1
-    Bytes out{};
-    bool over = false;
+    bool telemetry = false;  // wanted
+    std::deque<int> owed{};  // request numbers of pictures; 0 in version 1
+    bool is_over = false;
   };
 
   static constexpr std::size_t kRemembered = 4096;
   static constexpr std::size_t kFloodSize = 65536;  // a flood is made in portions of this size
-  static constexpr milliseconds kTelemetryPeriod{32};
+  static constexpr milliseconds kTick{10};          // all threads look this often whether they have to end
 
-  void run() {
-    next_picture_ = steady_clock::now();
-    while (!stopping_) {
-      std::vector<pollfd> polled = {{wake_up_.descriptor(), POLLIN, 0}};
-      TimePoint end = steady_clock::now() + milliseconds(100);
-      if (!stopped_) {
-        polled.push_back({listener_.get(), POLLIN, 0});
-        for (const Peer& peer : peers_) {
-          polled.push_back({peer.socket.get(), static_cast<short>(peer.out.empty() ? POLLIN : POLLIN | POLLOUT), 0});
-          end = peer.out.empty() ? next_picture_ : end;
-        }
+  void acceptClients() {
+    std::list<std::future<void>> served;
+    for (std::uint32_t connections = 0; !is_stopping_;) {
+      if (isReady(listener_, POLLIN, kTick)) {
+        Peer peer{acceptFrom(listener_), ++connections};
+        served.push_back(std::async(std::launch::async, [this, peer = std::move(peer)]() mutable { serve(&peer); }));
       }
-      pollUntil(&polled, end);
-      wake_up_.clear();
-      if (!stopped_) {
-        serveAll();
+      served.remove_if([](auto& each) { return each.wait_for(milliseconds(0)) == std::future_status::ready; });
+    }
+  }
+
+  void serve(Peer* peer) {
+    RequestScanner requests(version_ > 1);
+    for (TimePoint next = steady_clock::now(); !peer->is_over && !is_stopping_;) {
+      const Bytes flood = nextOfFlood();
+      send(flood, peer);
+      std::vector<pollfd> polled = {{peer->socket.get(), POLLIN, 0}};
+      pollUntil(&polled, flood.empty() ? std::min(next, steady_clock::now() + kTick) : TimePoint());
+      receive(&requests, peer);
+      if (const TimePoint now = steady_clock::now(); now >= next) {
+        sendWhatIsDue(peer);
+        next = std::max(next + period_, now);
       }
     }
   }
 
-  void serveAll() {
-    for (host_files::FileDescriptor client; (client = acceptFrom(listener_)).valid();) {
-      peers_.emplace_back(std::move(client), ++connections_, version_ > 1);
+  Bytes nextOfFlood() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    Bytes bytes;
+    for (Bytes more; flood_ && bytes.size() < kFloodSize && !(more = flood_()).empty();) {
+      bytes.insert(bytes.end(), more.begin(), more.end());
     }
-    const TimePoint now = steady_clock::now();
-    const bool picture = now >= next_picture_;
-    const bool telemetry = telemetry_ && now >= next_telemetry_;
-    for (Peer& peer : peers_) {
-      receive(&peer);
-      if (picture) {
-        sendPictures(&peer);
-      }
-      if (telemetry) {
-        sendTelemetry(&peer);
-      }
-      addFlood(&peer);
-      flush(&peer);
-    }
-    next_telemetry_ = telemetry ? now + kTelemetryPeriod : next_telemetry_;
-    peers_.remove_if([](const Peer& peer) { return peer.over; });
-    if (picture) {
-      next_picture_ = std::max(next_picture_ + period_, now);
-    }
+    return bytes;
   }
 
-  void receive(Peer* peer) {
+  void receive(RequestScanner* requests, Peer* peer) {
     std::array<std::uint8_t, 4096> buffer;
     const ssize_t count = ::recv(peer->socket.get(), buffer.data(), buffer.size(), 0);
     if (count <= 0) {
-      peer->over = peer->over || count == 0 || (errno != EAGAIN && errno != EINTR);
+      peer->is_over = peer->is_over || count == 0 || errno != EAGAIN;
       return;
     }
-    for (const Request& request : peer->requests.feed(buffer.data(), static_cast<std::size_t>(count))) {
+    for (const Request& request : requests->feed(buffer.data(), static_cast<std::size_t>(count))) {
       request.version2 ? answerVersion2(request, peer) : answerVersion1(request, peer);
     }
   }
@@ -176,7 +148,7 @@ class PictureServer {
     switch (request.kind) {
       case protocol::REQUEST_NEWER_VERSION:
         peer->version2 = version_ > 1;
-        append(peer->version2 ? Bytes{'x', 2, 0, 0} : Bytes{'e', 0, 0, 0}, peer);
+        send(peer->version2 ? Bytes{'x', 2, 0, 0} : Bytes{'e', 0, 0, 0}, peer);
         break;
       case protocol::REQUEST_STREAM_TOGGLE:
         peer->streaming = !peer->streaming;
@@ -186,12 +158,12 @@ class PictureServer {
         break;
       case protocol::REQUEST_JOINT:
       case protocol::REQUEST_SENSOR:
-        append({static_cast<std::uint8_t>(protocol::version2::replyKind(request.kind)),
-                static_cast<std::uint8_t>(request.id), 0, 0},
-               peer);
+        send({static_cast<std::uint8_t>(protocol::version2::replyKind(request.kind)),
+              static_cast<std::uint8_t>(request.id), 0, 0},
+             peer);
         break;
       default:
-        append({'e', 0, 0, 0}, peer);
+        send({'e', 0, 0, 0}, peer);
     }
   }
 
@@ -200,8 +172,8 @@ class PictureServer {
     Bytes reply = request.payload;
     switch (request.kind) {
       case protocol::version2::REQUEST_HELLO:
-        append(version2_frames::makeFrame('h', request.number, version2_frames::makeHello("F W J V T A")), peer);
-        return;
+        reply = version2_frames::makeHello("F W J V T A");
+        break;
       case protocol::version2::REQUEST_PICTURE:
         peer->owed.push_back(request.number);
         return;
@@ -223,87 +195,60 @@ class PictureServer {
     }
     Bytes frame = version2_frames::makeFrame(protocol::version2::replyKind(request.kind), request.number, reply);
     frame[1] = static_cast<std::uint8_t>(request.id);
-    append(frame, peer);
+    send(frame, peer);
     if (request.kind == protocol::version2::REQUEST_JOINTS) {
       const Bytes end = version2_frames::makeEnd(protocol::version2::ENDED_JOINTS, protocol::version2::END_DONE, "", "",
                                                  request.number);
-      append(version2_frames::makeFrame(protocol::version2::END_PUSH, 0, end), peer);
+      send(version2_frames::makeFrame(protocol::version2::END_PUSH, 0, end), peer);
     }
   }
 
-  void sendPictures(Peer* peer) {
-    if (peer->out.empty() && !peer->owed.empty()) {
-      sendPicture(peer->owed.front(), false, peer);
-      peer->owed.erase(peer->owed.begin());
-    } else if (peer->out.empty() && peer->streaming) {
-      sendPicture(0, true, peer);
+  void sendWhatIsDue(Peer* peer) {
+    if (!peer->owed.empty()) {
+      sendPicture(peer->owed.front(), peer);
+      peer->owed.pop_front();
+    } else if (peer->streaming) {
+      sendPicture(0, peer);
     }
-  }
-
-  void sendTelemetry(Peer* peer) {
-    if (peer->version2 && peer->telemetry) {
-      const auto frame = static_cast<unsigned>(next_telemetry_.time_since_epoch() / milliseconds(8));
-      append(version2_frames::makeFrame(
-                 protocol::version2::TELEMETRY_PUSH, 0,
-                 version2_frames::makeTelemetry(frame, {{'J', 1, 0}, {'J', 2, 0}, {'S', 66, 500000}})),
-             peer);
-    }
-  }
-
-  void addFlood(Peer* peer) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    while (flood_ && peer->out.size() < kFloodSize) {
-      append(flood_(), peer);
-    }
-  }
-
-  void sendPicture(int request, bool may_be_spoilt, Peer* peer) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    const test_pictures::Name name = {peer->connection, ++number_};
-    times_[name.number % kRemembered] = steady_clock::now();
-    Bytes jpeg = test_pictures::makeNamed(name);
-    if (spoil_ && may_be_spoilt) {
-      jpeg = std::exchange(spoil_, nullptr)(std::move(jpeg));
-    }
-    append(peer->version2
-               ? version2_frames::makeFrame(protocol::version2::PICTURE, request,
-                                            version2_frames::makePicture(jpeg, static_cast<unsigned>(name.number)))
-               : test_pictures::makeReply(jpeg),
+    if (peer->version2 && peer->telemetry && telemetry_) {
+      const auto frame = static_cast<unsigned>(steady_clock::now().time_since_epoch() / milliseconds(8));
+      send(version2_frames::makeFrame(
+               protocol::version2::TELEMETRY_PUSH, 0,
+               version2_frames::makeTelemetry(frame, {{'J', 1, 0}, {'J', 2, 0}, {'S', 66, 500000}})),
            peer);
+    }
   }
 
-  static void append(const Bytes& bytes, Peer* peer) { peer->out.insert(peer->out.end(), bytes.begin(), bytes.end()); }
+  void sendPicture(int request, Peer* peer) {
+    test_pictures::Name name = {peer->connection, 0};
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      name.number = ++number_;
+      times_[name.number % kRemembered] = steady_clock::now();
+    }
+    const Bytes jpeg = test_pictures::makeNamed(name);
+    send(peer->version2
+             ? version2_frames::makeFrame(protocol::version2::PICTURE, request,
+                                          version2_frames::makePicture(jpeg, static_cast<unsigned>(name.number)))
+             : test_pictures::makeReply(jpeg),
+         peer);
+  }
 
-  static void flush(Peer* peer) {
-    if (peer->out.empty() || peer->over) {
-      return;
-    }
-    const ssize_t count = ::send(peer->socket.get(), peer->out.data(), peer->out.size(), MSG_NOSIGNAL);
-    if (count > 0) {
-      peer->out.erase(peer->out.begin(), peer->out.begin() + count);
-    } else {
-      peer->over = errno != EAGAIN && errno != EINTR;
-    }
+  void send(const Bytes& bytes, Peer* peer) {
+    const auto may_wait = [&] { return !is_stopping_ && !isReady(peer->socket, POLLRDHUP, milliseconds(0)); };
+    peer->is_over = peer->is_over || !sendAll(peer->socket, bytes.data(), bytes.size(), may_wait);
   }
 
   const int version_;
   const std::chrono::microseconds period_;
   const host_files::FileDescriptor listener_;
-  int port_ = 0;
-  TimePoint next_picture_;
-  std::list<Peer> peers_;
-  std::uint32_t connections_ = 0;
   std::atomic<std::uint64_t> number_{0};
-  std::atomic<bool> stopped_{false};
   std::atomic<bool> telemetry_{false};
-  TimePoint next_telemetry_;
-  mutable std::mutex mutex_;  // guards what follows, down to the event
+  std::atomic<bool> is_stopping_{false};
+  mutable std::mutex mutex_;  // guards what follows, down to the future
   std::vector<TimePoint> times_;
-  std::function<Bytes(Bytes jpeg)> spoil_;
   Flood flood_;
-  aibo_system::Event wake_up_;
-  std::atomic<bool> stopping_{false};
-  std::thread thread_;
+  std::future<void> accepting_;
 };
 
 }  // namespace test_support

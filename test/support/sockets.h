@@ -123,6 +123,35 @@ inline host_files::FileDescriptor acceptFrom(const host_files::FileDescriptor& l
   return socket;
 }
 
+/// Waits until a socket is ready for this, or has ended.
+/// @param events POLLIN or POLLOUT
+/// @return false if it is not within this time
+inline bool isReady(const host_files::FileDescriptor& socket, short events, std::chrono::milliseconds time) {
+  pollfd polled = {socket.get(), events, 0};
+  return ::poll(&polled, 1, static_cast<int>(time.count())) > 0;
+}
+
+/// Sends all bytes.
+/// @param may_wait asked again and again while the other side does not read
+/// @return false, with errno, if the connection has ended; also if it may not wait
+template <typename MayWait>
+bool sendAll(const host_files::FileDescriptor& socket, const std::uint8_t* bytes, std::size_t size,
+             const MayWait& may_wait) {
+  while (size > 0) {
+    const ssize_t sent = ::send(socket.get(), bytes, size, MSG_NOSIGNAL);
+    if (sent < 0 && (errno != EAGAIN || !may_wait())) {
+      return false;
+    }
+    if (sent < 0) {
+      isReady(socket, POLLOUT, std::chrono::milliseconds(10));
+      continue;
+    }
+    bytes += sent;
+    size -= static_cast<std::size_t>(sent);
+  }
+  return true;
+}
+
 /// Waits until one of these is ready, or until this time.
 inline void pollUntil(std::vector<pollfd>* polled, std::chrono::steady_clock::time_point end) {
   const std::chrono::nanoseconds left = end - std::chrono::steady_clock::now();

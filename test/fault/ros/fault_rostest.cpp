@@ -126,7 +126,7 @@ TEST_F(Faults, PicturesGoOnWhileServicesWaitAndCtrlCEndsTheNode) {
   play.request.repetitions = 1;
   aibo_driver::UploadMotion upload;
   upload.request.file = stick.path("OPEN-R/MW/DATA/P/WAG.MTN");
-  proxy_.add({Action::kPause, Place::kHere, 0, Direction::kToServer, 0, {}, std::chrono::minutes(10)});
+  proxy_.add({Action::kPause, Place::kByte, 0, Direction::kToServer, 0, {}, std::chrono::minutes(10)});
   // The node may end without answering.
   const auto plays = std::async(std::launch::async, [&] { ros::service::call("/waiting/play_motion", play); });
   const auto uploads = std::async(std::launch::async, [&] { ros::service::call("/waiting/upload_motion", upload); });

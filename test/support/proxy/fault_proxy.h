@@ -6,44 +6,60 @@
 #include <sys/socket.h>
 
 #include <algorithm>
-#include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
+#include <deque>
+#include <functional>
+#include <future>
 #include <list>
 #include <mutex>
 #include <optional>
+#include <random>
 #include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include "host_files/file_descriptor.h"
-#include "support/proxy/link.h"
+#include "support/proxy/faults.h"
+#include "support/proxy/scanners.h"
 #include "support/sockets.h"
-#include "system/event.h"
 
 namespace test_support {
 
 /// A proxy between any number of clients and a server, which passes every byte on and makes the faults that it is asked
-/// for. All random choices follow from the bytes that come.
+/// for. Each direction of a connection has a thread, which reads, waits as the conditions say, and sends.
 ///
 /// Every function may be called from any thread.
 class FaultProxy {
  public:
+  using OnRequest = std::function<void(const Request& request)>;
+
   /// Begins to serve.
   /// @param target_port of the server, on 127.0.0.1
-  explicit FaultProxy(int target_port, Tap tap = nullptr)
-      : target_port_(target_port), tap_(std::move(tap)), listener_(bindTo("127.0.0.1", 0)), port_(portOf(listener_)) {
-    listener_ = bindTo("127.0.0.1", port_);  // only an explicitly bound port stays reserved while nobody listens
+  /// @param on_reply called on any thread with what the server replies and pushes, before the client gets it
+  /// @param on_request the same with what clients request
+  explicit FaultProxy(int target_port, OnReply on_reply = nullptr, OnRequest on_request = nullptr)
+      : target_port_(target_port),
+        on_reply_(std::move(on_reply)),
+        on_request_(std::move(on_request)),
+        port_(portOf(bindTo("127.0.0.1", 0))),
+        listener_(bindTo("127.0.0.1", port_)) {  // only an explicitly bound port stays reserved while nobody listens
     check(::listen(listener_.get(), SOMAXCONN) == 0, "listen");
-    thread_ = std::thread([this] { run(); });
+    thread_ = std::thread([this] { acceptClients(); });
   }
 
   ~FaultProxy() {
-    stopping_ = true;
-    wake_up_.raise();
+    change([&] {
+      is_stopping_ = true;
+      for (Link& link : links_) {
+        link.is_over = true;
+      }
+    });
     thread_.join();
+    links_.clear();  // waits for their threads, which use the rest
   }
 
   FaultProxy(const FaultProxy&) = delete;
@@ -62,17 +78,17 @@ class FaultProxy {
   }
 
   /// Adds a fault. Faults take place in the order in which they were added, each over the connection that first reaches
-  /// its place. A picture counts if it begins after all earlier faults.
+  /// its place.
   void add(const Fault& fault) {
-    change([&] { faults_.faults.push_back(fault); });
+    change([&] { faults_.push_back(fault); });
   }
 
   /// Ends all connections.
-  /// @param end kClose, kReset, kHalfClose or kSilence
-  void endConnections(Action end) {
+  /// @param how kClose, kReset or kSilence
+  void endConnections(Action how) {
     change([&] {
       for (Link& link : links_) {
-        link.end(end, Direction::kToClient);
+        end(how, link, Direction::kToClient);
       }
       held_.clear();
     });
@@ -82,12 +98,11 @@ class FaultProxy {
   void heal() {
     change([&] {
       conditions_ = Conditions();
-      faults_.faults.clear();
-      ++faults_.turn;
+      faults_.clear();
       held_.clear();
       for (Link& link : links_) {
-        if (link.isSilent()) {
-          link.end(Action::kReset, Direction::kToClient);
+        if (link.is_silent) {
+          end(Action::kReset, link, Direction::kToClient);
         }
       }
       receiveClientsBy(Welcome::kServe);
@@ -110,19 +125,58 @@ class FaultProxy {
   /// @return when the last of them was made; nothing if they were not made in time
   std::optional<TimePoint> waitForFaults(std::size_t count, std::chrono::milliseconds timeout) {
     std::unique_lock<std::mutex> lock(mutex_);
-    if (!fault_done_.wait_for(lock, timeout, [&] { return faults_done_ >= count; })) {
+    if (!changed_.wait_for(lock, timeout, [&] { return faults_done_ >= count; })) {
       return std::nullopt;
     }
     return last_fault_;
   }
 
  private:
-  /// Changes something, and wakes the proxy's thread.
+  using microseconds = std::chrono::microseconds;
+
+  struct Link {
+    host_files::FileDescriptor client;
+    host_files::FileDescriptor server;
+    bool is_silent = false;
+    bool is_over = false;
+    std::future<void> carried{};  ///< both directions have ended
+  };
+
+  /// One direction of a connection. Only for its thread.
+  struct Stream {
+    Link& link;
+    const Direction direction;
+    ReplyScanner replies;
+    RequestScanner requests{};
+    std::minstd_rand random{};
+    std::uint64_t offset = 0;  ///< of the next byte
+    std::size_t dropped = 0;   ///< bytes still to drop
+    std::uint8_t mask = 0;     ///< for the next byte
+
+    bool isToClient() const { return direction == Direction::kToClient; }
+    const host_files::FileDescriptor& sender() const { return isToClient() ? link.server : link.client; }
+    const host_files::FileDescriptor& receiver() const { return isToClient() ? link.client : link.server; }
+    bool isAt(const Fault& fault) const {
+      return fault.direction == direction &&
+             (fault.place == Place::kByte ? offset >= fault.offset : replies.indexInPicture() == fault.offset);
+    }
+  };
+
+  /// Bytes to pass on, and the fault that follows them.
+  struct Step {
+    Bytes bytes{};
+    std::optional<Fault> fault{};
+  };
+
+  // Threads that wait for sockets look this often whether they still have to.
+  static constexpr std::chrono::milliseconds kTick{10};
+
+  /// Changes something, and wakes who waits for it.
   template <typename Change>
   void change(const Change& apply) {
     const std::lock_guard<std::mutex> lock(mutex_);
     apply();
-    wake_up_.raise();
+    changed_.notify_all();
   }
 
   void receiveClientsBy(Welcome welcome) {
@@ -134,89 +188,181 @@ class FaultProxy {
     welcome_ = welcome;
   }
 
-  void run() {
-    while (!stopping_) {
-      std::vector<pollfd> polled = {{wake_up_.descriptor(), POLLIN, 0}};
-      const TimePoint end = prepare(&polled);
-      pollUntil(&polled, end);
-      wake_up_.clear();
-      serve();
-    }
-  }
-
-  TimePoint prepare(std::vector<pollfd>* polled) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    polled->push_back({welcome_ == Welcome::kRefuse ? -1 : listener_.get(), POLLIN, 0});
-    bool is_busy = false;
-    for (const Link& link : links_) {
-      is_busy = link.prepare(conditions_, polled) || is_busy;
-    }
-    return std::chrono::steady_clock::now() + std::chrono::milliseconds(is_busy ? 1 : 1000);
-  }
-
-  void serve() {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    const TimePoint now = std::chrono::steady_clock::now();
-    std::size_t done = 0;
-    for (Link& link : links_) {
-      done += link.isOver() ? 0 : link.serve(now, conditions_, &faults_, tap_);
-    }
-    links_.remove_if([](const Link& link) { return link.isOver(); });
-    if (done > 0) {
-      faults_done_ += done;
-      last_fault_ = now;
-      fault_done_.notify_all();
-    }
-    acceptClients();
-  }
-
   void acceptClients() {
-    while (welcome_ != Welcome::kRefuse) {
-      host_files::FileDescriptor client = acceptFrom(listener_);
-      if (!client.valid()) {
-        return;
+    for (std::unique_lock<std::mutex> lock(mutex_); !is_stopping_;) {
+      const bool listens = welcome_ != Welcome::kRefuse;
+      if (host_files::FileDescriptor client; listens && (client = acceptFrom(listener_)).valid()) {
+        receiveClient(std::move(client));
+        continue;
       }
-      receiveClient(std::move(client));
+      links_.remove_if(
+          [](const Link& link) { return link.carried.wait_for(microseconds(0)) == std::future_status::ready; });
+      if (listens) {
+        lock.unlock();
+        isReady(listener_, POLLIN, kTick);
+        lock.lock();
+      } else {
+        changed_.wait_for(lock, kTick);
+      }
     }
   }
 
   void receiveClient(host_files::FileDescriptor client) {
-    switch (welcome_) {
-      case Welcome::kReset:
-        resetWhenClosed(client);
-        break;
-      case Welcome::kSilence:
-        held_.push_back(std::move(client));
-        break;
-      case Welcome::kServe:
-        try {
-          links_.emplace_back(connections_, std::move(client), beginConnecting("127.0.0.1", target_port_));
-          ++connections_;
-        } catch (const std::system_error&) {
-          // The server is unreachable: the client is turned away.
-        }
-        break;
-      default:
-        break;
+    if (welcome_ == Welcome::kReset) {
+      resetWhenClosed(client);
+    } else if (welcome_ == Welcome::kSilence) {
+      held_.push_back(std::move(client));
+    } else {
+      try {
+        Link& link = links_.emplace_back(Link{std::move(client), beginConnecting("127.0.0.1", target_port_)});
+        link.carried = std::async(std::launch::async, [this, &link] { carry(link); });
+        ++connections_;
+      } catch (const std::system_error&) {
+        // The server is unreachable: the client is turned away.
+      }
     }
   }
 
-  mutable std::mutex mutex_;  // guards what follows, down to the thread
+  void carry(Link& link) {
+    Stream requests{link, Direction::kToServer, ReplyScanner()};
+    std::thread carrier([&] { carry(&requests); });
+    Stream replies{link, Direction::kToClient, ReplyScanner(on_reply_)};
+    carry(&replies);
+    carrier.join();
+    change([&] {
+      link.client.close();
+      link.server.close();
+    });
+  }
+
+  void carry(Stream* stream) {
+    constexpr std::size_t kMost = 16384;
+    while (pass(microseconds(0), *stream)) {
+      if (!isReady(stream->sender(), POLLIN, kTick)) {
+        continue;
+      }
+      Bytes bytes(kMost);
+      const ssize_t count = ::recv(stream->sender().get(), bytes.data(), bytes.size(), 0);
+      if (count <= 0) {
+        change([&] { end(count == 0 ? Action::kHalfClose : Action::kReset, stream->link, stream->direction); });
+        return;
+      }
+      bytes.resize(static_cast<std::size_t>(count));
+      for (const Step& step : cut(bytes, stream)) {
+        send(step.bytes, stream);
+        if (step.fault && step.fault->action == Action::kPause) {
+          pass(step.fault->time, *stream);
+        } else if (step.fault) {
+          change([&] { end(step.fault->action, stream->link, stream->direction); });
+        }
+      }
+    }
+  }
+
+  /// Waits for this time, and then as long as nothing gets through.
+  /// @return false if the connection is over
+  bool pass(microseconds time, const Stream& stream) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    const Link& link = stream.link;
+    changed_.wait_for(lock, time, [&] { return link.is_over; });
+    changed_.wait(lock,
+                  [&] { return link.is_over || !(link.is_silent || (conditions_.paused && stream.isToClient())); });
+    return !link.is_over;
+  }
+
+  /// Changes bytes where faults say so, and cuts them where other faults take place.
+  std::vector<Step> cut(const Bytes& bytes, Stream* stream) {
+    if (!stream->isToClient() && on_request_) {
+      const std::vector<Request> requests = stream->requests.feed(bytes.data(), bytes.size());
+      std::for_each(requests.begin(), requests.end(), on_request_);
+    }
+    std::vector<Step> steps(1);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (auto byte = bytes.begin(); byte != bytes.end() && !stream->link.is_over; ++byte, ++stream->offset) {
+      if (stream->isToClient()) {
+        stream->replies.take(*byte);
+      }
+      for (; !faults_.empty() && stream->isAt(faults_.front()); faults_.pop_front()) {
+        make(faults_.front(), stream, &steps);
+      }
+      if (stream->dropped > 0) {
+        --stream->dropped;
+      } else {
+        steps.back().bytes.push_back(*byte ^ std::exchange(stream->mask, std::uint8_t{0}));
+      }
+    }
+    return steps;
+  }
+
+  void make(const Fault& fault, Stream* stream, std::vector<Step>* steps) {
+    Bytes& before = steps->back().bytes;
+    if (fault.action == Action::kDrop) {
+      stream->dropped += fault.count;
+    } else if (fault.action == Action::kInsert) {
+      before.insert(before.end(), fault.bytes.begin(), fault.bytes.end());
+    } else if (fault.action == Action::kFlip) {
+      stream->mask = fault.bytes.front();
+    } else {
+      steps->back().fault = fault;
+      steps->emplace_back();
+    }
+    ++faults_done_;
+    last_fault_ = std::chrono::steady_clock::now();
+    changed_.notify_all();
+  }
+
+  void send(const Bytes& bytes, Stream* stream) {
+    constexpr std::size_t kPacket = 1460;  // the unit to which a rate applies
+    Conditions now;
+    change([&] { now = conditions_; });
+    using Jitter = std::uniform_int_distribution<microseconds::rep>;
+    bool goes_on = pass(now.delay + microseconds(Jitter(0, now.jitter.count())(stream->random)), *stream);
+    for (std::size_t sent = 0, size = 0; goes_on && sent < bytes.size(); sent += size) {
+      size = now.largest_piece > 0 ? std::uniform_int_distribution<std::size_t>(1, now.largest_piece)(stream->random)
+             : now.bytes_per_second > 0 ? kPacket
+                                        : bytes.size();
+      size = std::min(size, bytes.size() - sent);
+      goes_on = sendAll(stream->receiver(), &bytes[sent], size, [&] { return pass(microseconds(0), *stream); });
+      if (!goes_on && errno != EPIPE) {  // what comes for a side that has got a FIN is lost
+        change([&] { end(Action::kReset, stream->link, stream->direction); });
+      }
+      if (now.bytes_per_second > 0) {
+        goes_on = goes_on && pass(microseconds(size * 1000000 / now.bytes_per_second), *stream);
+      }
+    }
+  }
+
+  static void end(Action how, Link& link, Direction direction) {
+    if (how == Action::kSilence) {
+      link.is_silent = true;
+    } else if (how == Action::kReset) {
+      resetWhenClosed(link.client);
+      resetWhenClosed(link.server);
+      link.is_over = true;
+    } else {
+      ::shutdown((direction == Direction::kToClient ? link.client : link.server).get(), SHUT_WR);
+      if (how == Action::kClose) {
+        ::shutdown((direction == Direction::kToClient ? link.server : link.client).get(), SHUT_WR);
+      }
+    }
+  }
+
   const int target_port_;
-  const Tap tap_;
-  host_files::FileDescriptor listener_;
+  const OnReply on_reply_;
+  const OnRequest on_request_;
   const int port_;
+  mutable std::mutex mutex_;  // guards what follows, down to the thread
+  host_files::FileDescriptor listener_;
   Welcome welcome_ = Welcome::kServe;
   Conditions conditions_;
-  FaultQueue faults_;
+  std::deque<Fault> faults_;
   std::list<Link> links_;
   std::vector<host_files::FileDescriptor> held_;  // clients that hear nothing
   std::size_t connections_ = 0;
   std::size_t faults_done_ = 0;
   TimePoint last_fault_;
-  std::condition_variable fault_done_;
-  aibo_system::Event wake_up_;
-  std::atomic<bool> stopping_{false};
+  bool is_stopping_ = false;
+  std::condition_variable changed_;
   std::thread thread_;
 };
 

@@ -3,9 +3,6 @@
 #define TEST_SUPPORT_PROXY_RECORDING_PROXY_H
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <deque>
 #include <iterator>
 #include <mutex>
 #include <string>
@@ -17,7 +14,7 @@
 
 namespace test_support {
 
-/// What goes over the connections between drivers and a robot. Every function may be called from any thread.
+/// What goes over the connections between a driver and a robot. Every function may be called from any thread.
 class Recording {
  public:
   /// The JPEGs that the robot has sent since the proxy began, in this order.
@@ -43,30 +40,22 @@ class Recording {
   }
 
  protected:
-  void record(std::size_t number, Direction direction, const std::uint8_t* data, std::size_t size) {
+  void recordReply(char kind, const Bytes& payload) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    while (connections_.size() <= number) {
-      connections_.emplace_back([this](char, const Bytes& jpeg) { pictures_.push_back(jpeg); });
+    if (kind == protocol::REPLY_PICTURE) {
+      pictures_.push_back(payload);
     }
-    if (direction == Direction::kToClient) {
-      connections_[number].replies.feed(data, size);
-      return;
-    }
-    const std::vector<Request> requests = connections_[number].requests.feed(data, size);
-    requests_.insert(requests_.end(), requests.begin(), requests.end());
+  }
+
+  void recordRequest(const Request& request) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    requests_.push_back(request);
   }
 
  private:
-  struct Connection {
-    explicit Connection(const ReplyScanner::OnReply& on_picture) : replies({protocol::REPLY_PICTURE}, on_picture) {}
-    ReplyScanner replies;
-    RequestScanner requests;
-  };
-
   mutable std::mutex mutex_;  // guards what follows
   std::vector<Bytes> pictures_;
   std::vector<Request> requests_;
-  std::deque<Connection> connections_;
 };
 
 /// A proxy between a driver and a robot that passes every byte on, and remembers requests and pictures.
@@ -74,8 +63,9 @@ class RecordingProxy : public Recording, public FaultProxy {
  public:
   /// @param robot_port where the robot listens, on 127.0.0.1
   explicit RecordingProxy(int robot_port)
-      : FaultProxy(robot_port, [this](std::size_t connection, Direction direction, const std::uint8_t* data,
-                                      std::size_t size) { record(connection, direction, data, size); }) {}
+      : FaultProxy(
+            robot_port, [this](char kind, const Bytes& payload) { recordReply(kind, payload); },
+            [this](const Request& request) { recordRequest(request); }) {}
 
   /// While it is mute, nothing that the robot sends reaches the driver, though connections stay and are accepted.
   void setMute(bool mute) {

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <string>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -18,88 +18,71 @@
 
 namespace test_support {
 
+/// Called with a whole reply or push; the payload of a picture is its JPEG.
+using OnReply = std::function<void(char kind, const Bytes& payload)>;
+
 /// Finds pictures and other replies in what a server sends over one connection, in either version of the protocol.
 class ReplyScanner {
  public:
-  using OnReply = std::function<void(char kind, const Bytes& payload)>;
+  explicit ReplyScanner(OnReply on_reply = nullptr) : on_reply_(std::move(on_reply)) {}
 
-  /// @param kinds of the replies and pushes with a payload that are wanted
-  /// @param on_reply called with each of them that is complete; the payload of a picture is its JPEG
-  explicit ReplyScanner(std::string kinds = "", OnReply on_reply = nullptr)
-      : kinds_(std::move(kinds)), on_reply_(std::move(on_reply)) {}
-
-  /// Takes the stream's next bytes.
-  /// @return where in the stream pictures begin whose header's first byte is among them: offsets, ascending
-  std::vector<std::uint64_t> feed(const std::uint8_t* data, std::size_t size) {
-    std::vector<std::uint64_t> begins;
-    const std::uint8_t* const end = data + size;
-    while (data < end && !lost_) {
-      std::size_t taken = 1;
-      if (payload_left_ > 0) {
-        taken = static_cast<std::size_t>(std::min<std::uint64_t>(payload_left_, static_cast<std::size_t>(end - data)));
-        takePayload(data, taken);
-      } else {
-        if (header_.empty() && static_cast<char>(*data) == protocol::REPLY_PICTURE) {
-          begins.push_back(offset_);
-        }
-        header_.push_back(*data);
-        if (header_.size() == headerSize()) {
-          takeHeader();
-        }
-      }
-      data += taken;
-      offset_ += taken;
+  /// Takes the stream's next byte.
+  void take(std::uint8_t byte) {
+    if (reply_.size() == size_) {
+      reply_.clear();
+      size_ = 0;
     }
-    return begins;
+    reply_.push_back(byte);
+    if (reply_.size() == headerSize()) {
+      size_ = reply_.size() + payloadSize();
+    }
+    if (reply_.size() == size_ && !is_lost_) {
+      tell();
+    }
+  }
+
+  /// The index of the last byte in its picture, counted from the header; nothing if it is not of a picture.
+  std::optional<std::size_t> indexInPicture() const {
+    return is_lost_ || !isPicture() ? std::nullopt : std::optional(reply_.size() - 1);
   }
 
  private:
+  bool isPicture() const { return !reply_.empty() && static_cast<char>(reply_.front()) == protocol::REPLY_PICTURE; }
+
   std::size_t headerSize() const {
-    if (version2_) {
-      return protocol::version2::FRAME_HEADER_SIZE;
-    }
-    const bool picture = static_cast<char>(header_.front()) == protocol::REPLY_PICTURE;
-    return picture ? protocol::PICTURE_HEADER_SIZE : protocol::VALUE_REPLY_SIZE;
+    return is_version2_  ? protocol::version2::FRAME_HEADER_SIZE
+           : isPicture() ? protocol::PICTURE_HEADER_SIZE
+                         : protocol::VALUE_REPLY_SIZE;
   }
 
-  void takeHeader() {
-    kind_ = static_cast<char>(header_.front());
-    if (version2_) {
-      payload_left_ = protocol::version2::decodeFrameHeader(header_.data()).payload_size;
-    } else if (kind_ == protocol::REPLY_PICTURE) {
-      std::size_t size = 0;
-      lost_ = !protocol::decodePictureHeader(header_.data(), &size);
-      payload_left_ = size;
+  std::size_t payloadSize() {
+    std::size_t size = 0;
+    if (is_version2_) {
+      size = protocol::version2::decodeFrameHeader(reply_.data()).payload_size;
+    } else if (isPicture()) {
+      is_lost_ = !protocol::decodePictureHeader(reply_.data(), &size);
     } else {
-      lost_ = !protocol::isValueReply(kind_);
-      version2_ = protocol::version2::agreesToVersion2(protocol::decodeValueReply(header_.data()));
+      is_lost_ = !protocol::isValueReply(static_cast<char>(reply_.front()));
     }
-    header_.clear();
+    return size;
   }
 
-  void takePayload(const std::uint8_t* data, std::size_t size) {
-    payload_left_ -= size;
-    if (kinds_.find(kind_) == std::string::npos) {
-      return;
+  void tell() {
+    const std::size_t skipped =
+        headerSize() + (is_version2_ && isPicture() ? std::size_t{protocol::version2::IMAGE_HEADER_SIZE} : 0);
+    if (on_reply_) {
+      const auto begin = reply_.begin() + static_cast<std::ptrdiff_t>(std::min(skipped, reply_.size()));
+      on_reply_(static_cast<char>(reply_.front()), Bytes(begin, reply_.end()));
     }
-    payload_.insert(payload_.end(), data, data + size);
-    if (payload_left_ == 0) {
-      const bool has_header = version2_ && kind_ == protocol::version2::PICTURE;
-      const std::size_t skipped = std::min(has_header ? protocol::version2::IMAGE_HEADER_SIZE : 0, payload_.size());
-      on_reply_(kind_, Bytes(payload_.begin() + static_cast<std::ptrdiff_t>(skipped), payload_.end()));
-      payload_.clear();
-    }
+    is_version2_ = is_version2_ ||
+                   (!isPicture() && protocol::version2::agreesToVersion2(protocol::decodeValueReply(reply_.data())));
   }
 
-  const std::string kinds_;
   const OnReply on_reply_;
-  std::uint64_t offset_ = 0;  // of the next byte
-  bool version2_ = false;
-  bool lost_ = false;  // something that is not a reply has come: the next one cannot be found
-  Bytes header_;
-  std::uint64_t payload_left_ = 0;  // bytes of the present reply that are still to come
-  char kind_ = '\0';
-  Bytes payload_;  // of the present reply, if somebody wants it
+  bool is_version2_ = false;
+  bool is_lost_ = false;  // something that is not a reply has come: the next one cannot be found
+  Bytes reply_;           // as far as it has come
+  std::size_t size_ = 0;  // of the whole reply; 0 until its header has come
 };
 
 /// A request of either version of the protocol.
