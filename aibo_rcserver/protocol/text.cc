@@ -11,25 +11,6 @@ const unsigned LAST_CODE_POINT = 0x10ffff;
 const size_t ENDING_SIZE = 4;
 const size_t MAX_STEM_SIZE = MAX_FILE_NAME_SIZE - ENDING_SIZE;
 
-// The ending of names of one kind, and messages about wrong names.
-struct KindOfName {
-  char ending[ENDING_SIZE + 1];
-  const char* other_ending;
-  const char* empty_stem;
-  const char* long_stem;
-  const char* other_characters;
-};
-
-const KindOfName MOTION_NAME = {
-    ".MTN", "the name of the motion does not end in .MTN", "the name of the motion has nothing before .MTN",
-    "the name of the motion has more than 8 characters before .MTN",
-    "the name of the motion has other characters before .MTN than A to Z, 0 to 9 and !#$%&'()-@^_`{}~"};
-
-const KindOfName PICTURE_NAME = {
-    ".JPG", "the name of the picture does not end in .JPG", "the name of the picture has nothing before .JPG",
-    "the name of the picture has more than 8 characters before .JPG",
-    "the name of the picture has other characters before .JPG than A to Z, 0 to 9 and !#$%&'()-@^_`{}~"};
-
 bool isContinuation(unsigned char byte) {
   return (byte & 0xc0) == 0x80;
 }
@@ -122,19 +103,17 @@ bool endsIn(const char (&ending)[ENDING_SIZE + 1], const char* text, size_t size
   return size >= ENDING_SIZE;
 }
 
-const char* readFileName(const KindOfName& kind, const char* text, size_t size, FileName& name) {
-  if (!endsIn(kind.ending, text, size)) {
-    return kind.other_ending;
-  }
+// Reads a name whose ending is right.
+const char* readFileName(const char* text, size_t size, FileName& name) {
   const size_t stem_size = size - ENDING_SIZE;
   if (stem_size == 0) {
-    return kind.empty_stem;
+    return "the name has nothing before its ending";
   }
   if (stem_size > MAX_STEM_SIZE) {
-    return kind.long_stem;
+    return "the name has more than 8 characters before its ending";
   }
   if (!isAllowedInName(text, stem_size)) {
-    return kind.other_characters;
+    return "the name has other characters before its ending than A to Z, 0 to 9 and !#$%&'()-@^_`{}~";
   }
   for (size_t i = 0; i < size; ++i) {
     name[i] = capital(text[i]);
@@ -181,11 +160,11 @@ Text textInFile(const char* bytes, size_t size) {
 }
 
 const char* readMotionName(const char* text, size_t size, MotionName& name) {
-  return readFileName(MOTION_NAME, text, size, name);
+  return endsIn(".MTN", text, size) ? readFileName(text, size, name) : "the name of the motion does not end in .MTN";
 }
 
 const char* readPictureName(const char* text, size_t size, PictureName& name) {
-  return readFileName(PICTURE_NAME, text, size, name);
+  return endsIn(".JPG", text, size) ? readFileName(text, size, name) : "the name of the picture does not end in .JPG";
 }
 
 }  // namespace protocol

@@ -341,7 +341,7 @@ const Verdict kVerdicts[] = {
     {verdictOnMotions, bytesOf("\nNOD.MTN"), ".MTN"},
     {verdictOnMotions, bytesOf("NOD.MTN\n\nWAG.MTN"), ".MTN"},
     {verdictOnMotions, bytesOf("NOD.MTN\r\nWAG.MTN"), ".MTN"},
-    {verdictOnMotions, bytesOf("../A.MTN"), ".MTN"},
+    {verdictOnMotions, bytesOf("../A.MTN"), "other characters"},
 };
 
 TEST(Payloads, AreRefusedForTheRightReason) {
