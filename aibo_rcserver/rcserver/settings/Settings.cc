@@ -202,13 +202,6 @@ void MakeSafe(Settings* settings, const char* fault) {
   settings->allowed_addresses.AllowOnlyThisComputer();
 }
 
-class OnConsole : public SettingsProblems {
- public:
-  virtual void Report(int line, const char* text) {
-    OSYSLOG1((osyslogERROR, "RCServer: %s, line %d: %s", SETTINGS_FILE, line, text));
-  }
-};
-
 // The line ends of all systems count.
 const char* EndOfLine(const char* text, const char* end) {
   while (text < end && *text != '\r' && *text != '\n') {
@@ -228,8 +221,7 @@ bool ReadFile(FILE* file, Settings* settings) {
   const size_t size = bytes != NULL ? fread(bytes, 1, MAX_SETTINGS_FILE_SIZE + 1, file) : 0;
   const bool is_whole = bytes != NULL && size <= MAX_SETTINGS_FILE_SIZE && !ferror(file);
   if (is_whole) {
-    OnConsole problems;
-    readSettings(bytes, size, settings, problems);
+    readSettings(bytes, size, settings);
   }
   free(bytes);
   return is_whole;
@@ -250,32 +242,28 @@ bool BeginsWith(const char* text, const char* beginning) {
   return *beginning == '\0';
 }
 
-bool IsSettingsFile(const char* name) {
-  return strlen(name) == strlen(SettingsFileName()) && BeginsWith(name, SettingsFileName());
-}
-
-// True for a file that its owner may have meant to be RCSERVER.CFG, such as RCSERVER.CFG.txt, which some editors write.
-// Where names have at most eight characters, RCSERV~1.TXT stands for it.
-bool IsLookAlike(const char* name) {
-  return (BeginsWith(name, "RCSERVER") || BeginsWith(name, "RCSERV~")) && !IsSettingsFile(name);
-}
-
-// Copies the first matching name in the settings folder; false if there is none.
-bool FindInFolder(const HostSettings& host, bool (*is_wanted)(const char* name), char (&found)[64]) {
+// Looks into the settings folder for RCSERVER.CFG, and for another file that its owner may have meant to be it, such as
+// RCSERVER.CFG.txt, which some editors write. Where names have at most eight characters, RCSERV~1.TXT stands for it.
+// @param[out] other the other file's name; empty if there is none
+// @return true if RCSERVER.CFG is there
+bool LookIntoFolder(const HostSettings& host, char (&other)[64]) {
   char path[MAX_PATH_SIZE];
   DIR* const folder = pathOnMemoryStick(host, SETTINGS_FOLDER, path) ? opendir(path) : NULL;
+  other[0] = '\0';
   if (folder == NULL) {
     return false;
   }
-  const dirent* entry = readdir(folder);
-  while (entry != NULL && !is_wanted(entry->d_name)) {
-    entry = readdir(folder);
-  }
-  if (entry != NULL) {
-    sprintf(found, "%.63s", entry->d_name);
+  bool is_there = false;
+  while (const dirent* entry = readdir(folder)) {
+    const char* const name = entry->d_name;
+    if (strlen(name) == strlen(SettingsFileName()) && BeginsWith(name, SettingsFileName())) {
+      is_there = true;
+    } else if (BeginsWith(name, "RCSERVER") || BeginsWith(name, "RCSERV~")) {
+      sprintf(other, "%.63s", name);
+    }
   }
   closedir(folder);
-  return entry != NULL;
+  return is_there;
 }
 
 // Prints each address separately, because OSYSPRINT() truncates at 242 characters.
@@ -301,7 +289,7 @@ bool Settings::Allows(const char* setting) const {
   return setting == NULL;
 }
 
-void readSettings(const char* bytes, size_t size, Settings* settings, SettingsProblems& problems) {
+void readSettings(const char* bytes, size_t size, Settings* settings) {
   const protocol::Text text = protocol::textInFile(bytes, size);
   const char* const end = text.begin + text.size;
   Reader reader(settings);
@@ -311,9 +299,8 @@ void readSettings(const char* bytes, size_t size, Settings* settings, SettingsPr
     ++number;
     const char* const line_end = EndOfLine(line, end);
     if (const char* problem = reader.Read(line, line_end)) {
-      char report[256];
-      sprintf(report, "%s, so nothing is allowed: \"%.60s\"", problem, reader.Line());
-      problems.Report(number, report);
+      OSYSLOG1((osyslogERROR, "RCServer: %s, line %d: %s, so nothing is allowed: \"%.60s\"", SETTINGS_FILE, number,
+                problem, reader.Line()));
       if (first_fault[0] == '\0') {
         sprintf(first_fault, "line %d: %.100s", number, problem);
       }
@@ -328,13 +315,14 @@ void readSettings(const char* bytes, size_t size, Settings* settings, SettingsPr
 Settings readSettingsFile(const HostSettings& host) {
   Settings settings;
   char path[MAX_PATH_SIZE];
-  char name[64];
+  char other[64];
+  const bool is_there = LookIntoFolder(host, other);
   FILE* file = pathOnMemoryStick(host, SETTINGS_FILE, path) ? host.open_to_read(path) : NULL;
   const bool is_read = file != NULL && ReadFile(file, &settings);
   if (file != NULL) {
     fclose(file);
   }
-  if (!is_read && (file != NULL || FindInFolder(host, IsSettingsFile, name))) {
+  if (!is_read && (file != NULL || is_there)) {
     MakeSafe(&settings, "it cannot be read, or has more than 64 KB");
     OSYSLOG1(
         (osyslogERROR, "RCServer: %s cannot be read, or has more than 64 KB, so nothing is allowed", SETTINGS_FILE));
@@ -344,10 +332,11 @@ Settings readSettingsFile(const HostSettings& host) {
          "rebooting are not allowed\n",
          SETTINGS_FILE));
   }
-  if (FindInFolder(host, IsLookAlike, name)) {
+  if (other[0] != '\0') {
     MakeSafe(&settings, "there is another file beside it whose name begins with RCSERV");
     OSYSLOG1((osyslogERROR, "RCServer: %s has another file, %s, which is not read; rename it to %s or remove it",
-              SETTINGS_FOLDER, protocol::isPlainText(name, strlen(name)) ? name : "RCSERVER...", SettingsFileName()));
+              SETTINGS_FOLDER, protocol::isPlainText(other, strlen(other)) ? other : "RCSERVER...",
+              SettingsFileName()));
   }
   ReportWhoMayConnect(settings.allowed_addresses);
   return settings;

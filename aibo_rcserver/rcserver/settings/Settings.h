@@ -54,23 +54,15 @@ struct Settings {
   char fault[MAX_SETTINGS_FAULT_SIZE + 1];
 };
 
-class SettingsProblems {
- public:
-  virtual ~SettingsProblems() {}
+/// Reads lines of the form NAME=VALUE. The console shows each wrong line. Empty lines and comments after a # are
+/// skipped, and case does not matter. Any editor may have written the text (protocol::textInFile()): the line ends of
+/// all systems are accepted, and comments have any characters. If any line is wrong, the whole file is ignored, because
+/// that line may have been a restriction. In that case only 127.0.0.1 may connect, clients play no sound, the motors
+/// are off at boot, and all other settings have their defaults. A line is also wrong if an editor may show a setting in
+/// its comment on a line of its own.
+void readSettings(const char* bytes, size_t size, Settings* settings);
 
-  /// @param line the line's number, from 1
-  /// @param text the problem and the line's text
-  virtual void Report(int line, const char* text) = 0;
-};
-
-/// Reads lines of the form NAME=VALUE. Empty lines and comments after a # are skipped, and case does not matter. Any
-/// editor may have written the text (protocol::textInFile()): the line ends of all systems are accepted, and comments
-/// have any characters. If any line is wrong, the whole file is ignored, because that line may have been a restriction.
-/// In that case only 127.0.0.1 may connect, clients play no sound, the motors are off at boot, and all other settings
-/// have their defaults. A line is also wrong if an editor may show a setting in its comment on a line of its own.
-void readSettings(const char* bytes, size_t size, Settings* settings, SettingsProblems& problems);
-
-/// Reads RCSERVER.CFG from the memory stick. The console shows each wrong line and who may connect. Without the file,
+/// Reads RCSERVER.CFG from the memory stick. The console shows who may connect. Without the file,
 /// the defaults hold. A file that is unreadable or too long, or another file there whose name begins with RCSERVER,
 /// counts as a wrong line.
 Settings readSettingsFile(const HostSettings& host);
