@@ -12,7 +12,6 @@ const size_t Outbox::SOUND_PORTION;
 const size_t Outbox::CAPACITY;
 
 void Outbox::Clear() {
-  reserved_ = 0;
   replies_.Drop();
   telemetry_.Drop();
   colors_.Drop();

@@ -11,6 +11,7 @@
 #include "rcserver/body/Microphone.h"
 #include "rcserver/camera/ColorCounter.h"
 #include "rcserver/joints/OrderBook.h"
+#include "rcserver/requests/FileOrder.h"
 
 /// Messages in order, in a fixed memory. A message that does not fit is dropped.
 template <size_t CAPACITY>
@@ -88,18 +89,15 @@ class Outbox {
   static const size_t CAPACITY =
       REPLIES_CAPACITY + MAX_TELEMETRY_SIZE + MAX_COLORS_SIZE + MAX_SOUND_SIZE + SOUND_PORTION;
 
-  Outbox() : reserved_(0) {}
+  /// @param files room for a reply is reserved while its request is pending
+  explicit Outbox(const FileOrder& files) : files_(files) {}
 
   void Clear();
 
   /// True if there is ROOM. Ask this before a request is handled, and before anything is pushed: the largest push fits.
-  bool HasRoom() const { return replies_.Size() + reserved_ + ROOM <= REPLIES_CAPACITY; }
+  bool HasRoom() const { return replies_.Size() + (files_.IsPending() ? 2 : 1) * ROOM <= REPLIES_CAPACITY; }
 
-  /// Reserves ROOM for one later reply, or releases it.
-  /// @param reserved true only if HasRoom(), or if room is reserved already
-  void Reserve(bool reserved) { reserved_ = reserved ? ROOM : 0; }
-
-  /// Adds a message. Call it only if HasRoom(), or for the reply that room was reserved for.
+  /// Adds a message. Call it only if HasRoom(), or for the reply that room is reserved for.
   void Add(const unsigned char* message, size_t size) { replies_.Add(message, size); }
 
   MessageQueue<MAX_TELEMETRY_SIZE>& Telemetry() { return telemetry_; }
@@ -108,7 +106,7 @@ class Outbox {
   bool HasSound() const { return sound_.Size() > 0; }
   bool IsEmpty() const { return replies_.Size() + telemetry_.Size() + colors_.Size() + sound_.Size() == 0; }
 
-  /// Takes out all waiting messages, but only one portion of the sound. Reserved room stays reserved.
+  /// Takes out all waiting messages, but only one portion of the sound.
   /// @param[out] out room for CAPACITY bytes
   /// @return the number of bytes
   size_t Take(unsigned char* out);
@@ -116,8 +114,8 @@ class Outbox {
  private:
   size_t SizeOfSoundPortion() const;
 
+  const FileOrder& files_;
   MessageQueue<REPLIES_CAPACITY> replies_;
-  size_t reserved_;
   MessageQueue<MAX_TELEMETRY_SIZE> telemetry_;
   MessageQueue<MAX_COLORS_SIZE> colors_;
   MessageQueue<SOUND_CAPACITY> sound_;

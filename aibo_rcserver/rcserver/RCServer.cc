@@ -598,7 +598,7 @@ void RCServer::UsePicture() {
     return;
   }
   if (pictures_.Order().is_for_stick) {
-    session_->PictureTaken(picture.jpeg, picture.size);
+    session_->Stick().PictureTaken(picture.jpeg, picture.size);
     pictures_.DropPicture();
   } else if (datagrams_.IsOn() && pictures_.Order().is_of_stream && session_->Pictures().Wants(pictures_.Order())) {
     last_picture_ = Now();

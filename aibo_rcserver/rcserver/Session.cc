@@ -10,6 +10,7 @@ Session::Session(const Robot& robot, const Settings& settings, int newest_versio
     : robot_(robot),
       newest_version_(newest_version),
       files_(robot.files, robot.joints, robot.motors),
+      outbox_(files_),
       version1_(robot_, settings, files_, pictures_, outbox_, payload_),
       version2_(robot_, settings, files_, pictures_, outbox_),
       frame_reader_(payload_, sizeof(payload_)) {}
@@ -44,7 +45,6 @@ void Session::AddInput(const unsigned char* bytes, size_t size) {
 
 void Session::HandleRequests(unsigned now) {
   while (MayHandle() && (talk_.version == 1 ? HandleRequest() : HandleFrame(now))) {
-    outbox_.Reserve(files_.IsPending());
   }
 }
 
@@ -57,7 +57,6 @@ void Session::FileDone(const FileResult& result, unsigned now) {
   } else {
     version2_.Stick().FileDone(result, now);
   }
-  outbox_.Reserve(false);
 }
 
 // A client of version 1 gets no message, because it would take the message for the answer to its next request.
@@ -93,7 +92,6 @@ bool Session::MayHandle() {
     version2_.PushReports();
   } else if (!IsEnding()) {
     talk_.has_input = talk_.has_input && version1_.TakeContent(talk_.input);
-    outbox_.Reserve(files_.IsPending());
   }
   return talk_.has_input && !IsEnding() && outbox_.HasRoom() && !(talk_.version == 1 && files_.IsPending());
 }

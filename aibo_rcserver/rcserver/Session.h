@@ -61,12 +61,6 @@ class Session {
   /// @param now the present OPEN-R frame
   void FileDone(const FileResult& result, unsigned now);
 
-  /// Call this when the picture of an order for the memory stick has been made.
-  void PictureTaken(const unsigned char* jpeg, size_t size) {
-    version2_.Stick().PictureTaken(jpeg, size);
-    outbox_.Reserve(files_.IsPending());
-  }
-
   /// Ends the session because the robot goes off. A client of version 2 gets the reason.
   /// @param reason the reason in words
   void RobotGoesOff(const char* reason);
@@ -146,8 +140,8 @@ class Session {
   const Robot robot_;
   const int newest_version_;
   ImageObserver pictures_;
-  Outbox outbox_;
   FileOrder files_;
+  Outbox outbox_;
   Version1 version1_;
   Version2 version2_;
   Talk talk_;

@@ -344,7 +344,7 @@ class Server {
     require(order.quality <= protocol::MAX_JPEG_QUALITY, "a quality is within its range");
     if (order.is_for_stick) {
       const Bytes jpeg(4500);
-      session_.PictureTaken(jpeg.data(), jpeg.size());
+      session_.Stick().PictureTaken(jpeg.data(), jpeg.size());
       return;
     }
     const version2::ImageHeader image = {images_,
