@@ -35,8 +35,7 @@ void CopyRows(const OFbkImage& image, const unsigned char* const* planes, size_t
 
 }  // namespace
 
-PictureTaker::PictureTaker()
-    : image_count_(0), is_waiting_(false), waiting_order_(), waiting_header_(), ticket_(0), order_(), header_() {}
+PictureTaker::PictureTaker() : image_count_(0), is_waiting_(false), waiting_(), ticket_(0), made_() {}
 
 void PictureTaker::CountImage(OFbkImageVectorData* image) {
   OFbkImage y(image->GetInfo(ofbkimageLAYER_H), image->GetData(ofbkimageLAYER_H), ofbkimageBAND_Y);
@@ -98,15 +97,14 @@ const char* PictureTaker::Offer(OFbkImageVectorData* image, ImageObserver& wante
                                                   static_cast<protocol::version2::Layer>(order.layer),
                                                   settings};
   is_waiting_ = true;
-  waiting_order_ = order;
-  waiting_header_ = header;
+  waiting_.order = order;
+  waiting_.header = header;
   return NULL;
 }
 
 void PictureTaker::Begin() {
   is_waiting_ = false;
-  order_ = waiting_order_;
-  header_ = waiting_header_;
+  made_ = waiting_;
   ticket_ = jobs_.NewTicket();
   jobs_.Memory()->ticket = ticket_;
   jobs_.Send();
@@ -119,7 +117,7 @@ bool PictureTaker::Take(const ONotifyEvent& event, OObserver* observer) {
     return false;
   }
   ticket_ = 0;
-  header_.quality = static_cast<unsigned char>(Picture().quality);
+  made_.header.quality = static_cast<unsigned char>(Picture().quality);
   return true;
 }
 
@@ -134,7 +132,7 @@ bool PictureTaker::FindOrder(ImageObserver& wanted, bool may_begin, PictureOrder
   if (!is_waiting_ && !HasPicture()) {
     return may_begin && wanted.ImageArrived(image_count_, order);
   }
-  *order = is_waiting_ ? waiting_order_ : order_;
+  *order = is_waiting_ ? waiting_.order : made_.order;
   if (!is_waiting_) {
     DropPicture();
   }

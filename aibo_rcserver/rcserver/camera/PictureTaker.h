@@ -66,21 +66,24 @@ class PictureTaker {
   bool HasPicture() const { return picture_.IsThere(); }
   const EncodedPicture& Picture() const { return picture_.Get(); }
   void DropPicture() { picture_.Release(); }
-  const PictureOrder& Order() const { return order_; }
-  const protocol::version2::ImageHeader& Header() const { return header_; }
+  const PictureOrder& Order() const { return made_.order; }
+  const protocol::version2::ImageHeader& Header() const { return made_.header; }
 
  private:
+  struct Ordered {
+    PictureOrder order;
+    protocol::version2::ImageHeader header;
+  };
+
   bool FindOrder(ImageObserver& wanted, bool may_begin, PictureOrder* order);
 
   RegionSender<PictureJob, 2> jobs_;
   unsigned image_count_;
   bool is_waiting_;
-  PictureOrder waiting_order_;
-  protocol::version2::ImageHeader waiting_header_;
+  Ordered waiting_;  ///< the image that waits
   unsigned ticket_;  ///< ticket of the picture that is being made; 0 if there is none
   HeldRegion<EncodedPicture> picture_;
-  PictureOrder order_;  ///< the order of the picture that is being made or has been made
-  protocol::version2::ImageHeader header_;
+  Ordered made_;  ///< the picture that is being made or has been made
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_CAMERA_PICTURE_TAKER_H

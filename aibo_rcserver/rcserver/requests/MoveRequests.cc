@@ -24,7 +24,9 @@ const char* const FAULTS[] = {
 }  // namespace
 
 MoveRequests::MoveRequests(const Robot& robot, StickRequests& stick, Exchange& exchange)
-    : robot_(robot), stick_(stick), exchange_(exchange), has_told_motors_(false), told_() {}
+    : robot_(robot), stick_(stick), exchange_(exchange), told_() {
+  Begin();
+}
 
 void MoveRequests::MoveJoints() {
   JointOrder order;
@@ -152,11 +154,10 @@ void MoveRequests::PushReports() {
 
 void MoveRequests::PushMotorsAndPosture() {
   const MotorsAndPosture now = {robot_.motors.AreOn(), static_cast<unsigned char>(robot_.joints.Posture())};
-  const bool is_told = has_told_motors_ && now.motors_on == told_.motors_on && now.posture == told_.posture;
+  const bool is_told = now.motors_on == told_.motors_on && now.posture == told_.posture;
   if (is_told || !exchange_.HasRoom()) {
     return;
   }
-  has_told_motors_ = true;
   told_ = now;
   exchange_.Push(MOTORS_AND_POSTURE_PUSH, now);
 }

@@ -13,7 +13,7 @@ class MoveRequests {
   MoveRequests(const Robot& robot, StickRequests& stick, Exchange& exchange);
 
   /// Call this for a new client, to which nothing has been reported.
-  void Begin() { has_told_motors_ = false; }
+  void Begin() { told_.posture = NOTHING; }
 
   void MoveJoints();    ///< `J`
   void LimitSpeeds();   ///< `V`
@@ -28,6 +28,8 @@ class MoveRequests {
   void PushMotorsAndPosture();
 
  private:
+  enum { NOTHING = 255 };  // no posture has this number
+
   bool ArePositive(const protocol::version2::SpeedLimits& limits);
   bool HasJoints(const protocol::version2::JointValue* joints, int count);
   bool HasJoint(int identifier);
@@ -39,8 +41,7 @@ class MoveRequests {
   const Robot& robot_;
   StickRequests& stick_;
   Exchange& exchange_;
-  bool has_told_motors_;  ///< told_ has been pushed
-  protocol::version2::MotorsAndPosture told_;
+  protocol::version2::MotorsAndPosture told_;  ///< what was pushed last; its posture is NOTHING before
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_REQUESTS_MOVE_REQUESTS_H
