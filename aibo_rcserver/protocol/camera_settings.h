@@ -39,7 +39,7 @@ CameraSettings defaultCameraSettings();
 /// What is wrong with this value for this setting, or NULL. Every setting allows the value 1.
 const char* problemOfCameraValue(int id, int value);
 
-/// Payload of `G` and its reply: uint8 value. An empty request reads the setting.
+/// Payload of `G` and its reply. An empty request reads the setting.
 struct CameraValue {
   unsigned char id;  ///< a CameraSetting. It is the frame's id, not in the payload: set it before decoding
   unsigned char value;
@@ -52,8 +52,7 @@ struct CameraValue {
   }
 };
 
-/// All settings in the last 16 bits of an image header: two bits each for white balance, gain and shutter speed, from
-/// the lowest bit up, then one bit for each automatic mode. 0 means unknown.
+/// All settings in the last 16 bits of an image header; 0 means unknown.
 unsigned short packCameraSettings(const CameraSettings& settings);
 
 /// @return NULL, or what is wrong; in that case the settings are unchanged

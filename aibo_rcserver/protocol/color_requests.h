@@ -23,7 +23,7 @@ enum ColorOrder {
   COLORS_TABLE = 2  ///< sets the table of one channel; the reply has no payload
 };
 
-/// Payload of `Z` 1 and its reply: uint16 every n-th image, uint8 with the plane, uint8 0.
+/// Payload of `Z` 1 and its reply.
 struct ColorSettings {
   unsigned short every_nth_image;  ///< never 0
   bool with_plane;
@@ -72,8 +72,7 @@ struct ColorSegment {
 const ColorSegment EMPTY_COLOR_SEGMENT = {128, 128, 128, 128};
 bool isEmpty(const ColorSegment& segment);
 
-/// Payload of `Z` 2: uint8 channel, 3 x uint8 0, 32 x {uint8 Cr min, uint8 Cr max, uint8 Cb min, uint8 Cb max}. No
-/// minimum exceeds its maximum.
+/// Payload of `Z` 2.
 struct ColorTable {
   unsigned char channel;  ///< below MAX_COLOR_CHANNELS
   ColorSegment segments[COLOR_SEGMENTS];
@@ -113,10 +112,7 @@ struct ColorRegion {
 
 const int COLOR_CENTROID_SCALE = 64;
 
-/// Payload of a pushed `z`: uint32 image count, uint32 frame, uint16 width, uint16 height, uint8 count, uint8 1 = a
-/// plane follows, uint16 0; count x {uint8 channel, 3 x uint8 0, uint32 pixels, uint16 x, uint16 y, uint16 left, uint16
-/// top, uint16 width, uint16 height}; then, up to the end, the packed plane (packColorPlane()). Image count and frame
-/// match the picture of the same image (ImageHeader).
+/// Payload of a pushed `z`. Image count and frame match the picture of the same image (ImageHeader).
 struct ColorRegions {
   unsigned image_count;
   unsigned frame_number;
@@ -149,17 +145,12 @@ struct ColorRegions {
 
 const size_t MAX_COLOR_REGIONS_SIZE = 16 + MAX_COLOR_CHANNELS * 20;
 
-/// The largest plane that is sent: an ERS-7's, 104 x 80.
-const size_t MAX_COLOR_PLANE_SIZE = 104 * 80;
+/// The largest plane that is sent: an ERS-7's.
+const size_t MAX_COLOR_PLANE_WIDTH = 104;
+const size_t MAX_COLOR_PLANE_HEIGHT = 80;
 
-/// The largest size of a packed plane with this number of pixels.
-inline size_t packedColorPlaneSize(size_t pixels) {
-  return pixels + (pixels + 127) / 128;
-}
-
-/// Packs a plane with PackBits: a byte n up to 127 precedes n + 1 literal bytes; a byte n from 129 on precedes one byte
-/// that repeats 257 - n times. The byte 128 is unused.
-/// @param[out] out room for packedColorPlaneSize(pixels) bytes
+/// Packs a row of a plane, or all of it, with PackBits.
+/// @param[out] out room for one byte more than there are pixels, and one for each further 128
 size_t packColorPlane(const unsigned char* plane, size_t pixels, unsigned char* out);
 
 /// @param pixels size of the plane; no more are written

@@ -22,7 +22,7 @@ const unsigned char LEAVE_OUT_MISSING_JOINTS = 1;
 /// checked again, with this much more time. The value is our choice.
 const unsigned FILE_READING_FRAMES = 625;
 
-/// Payload of `U`: uint8 size of the name, the name, the content of the file. The reply has no payload.
+/// Payload of `U`. The reply has no payload.
 struct MotionUpload {
   MotionName name;
   const unsigned char* content;  ///< unchecked; after decoding, points into the payload
@@ -38,7 +38,7 @@ struct MotionUpload {
 
 const Request STORE_MOTION = {REQUEST_UPLOAD, "store the motion", NEEDS_MEMORY_STICK, "ALLOW_UPLOAD"};
 
-/// Payload of `D`: the name. The reply has no payload.
+/// Payload of `D`. The reply has no payload.
 struct MotionToDelete {
   MotionName name;
 
@@ -50,7 +50,7 @@ struct MotionToDelete {
 
 const Request DELETE_MOTION = {REQUEST_DELETE, "delete the motion", NEEDS_MEMORY_STICK, "ALLOW_DELETE"};
 
-/// Payload of `P`: uint32 not after, uint16 repetitions, the name.
+/// Payload of `P`.
 struct MotionOrder {
   unsigned not_after;          ///< frame (isTooOld()); ignored with 0 repetitions
   unsigned short repetitions;  ///< 0 stops the motion

@@ -12,11 +12,10 @@
 namespace protocol {
 namespace version2 {
 
-/// Payload of `B` and its reply: uint16 port, 0 = no datagrams, uint8 1 = only a test, uint8 0, uint32 first sequence,
-/// uint32 first picture. The client chooses the last two at random, so that nobody else knows the numbers of the
-/// datagrams.
+/// Payload of `B` and its reply. The client chooses the last two at random, so that nobody else knows the numbers of
+/// the datagrams.
 struct DatagramOrder {
-  unsigned short port;
+  unsigned short port;  ///< 0: no datagrams
   bool is_test;
   unsigned first_sequence;
   unsigned first_picture;
@@ -53,8 +52,7 @@ size_t sizeOfPart(size_t jpeg_size, size_t part);
 /// The first byte of a datagram.
 const char DATAGRAM_MARK = 'b';
 
-/// The header of a part, DATAGRAM_HEADER_SIZE bytes: char `b`, uint8 0, uint16 part, uint32 sequence, uint32 picture,
-/// uint32 size of the JPEG, then the image header of `f`.
+/// The header of a part, DATAGRAM_HEADER_SIZE bytes.
 struct PictureDatagram {
   unsigned short part;  ///< index in the picture, from 0
   unsigned sequence;    ///< counts datagrams, from the number in `B` on
@@ -81,8 +79,7 @@ struct PictureDatagram {
 /// Decodes a datagram and checks its size. The part begins at bytes + DATAGRAM_HEADER_SIZE.
 const char* decodePictureDatagram(const unsigned char* bytes, size_t size, PictureDatagram* datagram);
 
-/// A receiver sends this status when a picture is complete or parts are missing: char `s`, uint8 0, uint16 first part,
-/// uint32 picture, uint32 bits.
+/// A receiver sends this status when a picture is complete or parts are missing.
 struct DatagramStatus {
   /// How many parts one status can ask for.
   static const unsigned MOST_MISSING = 32;

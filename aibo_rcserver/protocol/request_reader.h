@@ -12,7 +12,7 @@ struct Request {
   bool valid;             ///< false: unknown letter or wrong size; answered by one error
   BasicGetCommand basic;  ///< letter and identifier
   size_t payload_size;    ///< bytes: 0, 2 (an int16) or 16 (name, a, b)
-  unsigned char payload[FILE_REQUEST_SIZE - BASIC_COMMAND_SIZE];
+  unsigned char payload[FILE_PAYLOAD_SIZE];
 };
 
 /// Splits the bytes of a version 1 client into requests. It does no I/O, has a fixed size, and is not thread-safe.

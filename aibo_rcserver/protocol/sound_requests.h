@@ -34,8 +34,7 @@ const size_t BYTES_PER_SAMPLE = 2;
 /// waits for the speaker.
 enum MicrophoneMode { MICROPHONE_ON = 1, SOUND_FIRST = 2 };
 
-/// Payload of `A` 1 and of its reply: uint8 mode, uint8 channels, uint16 samples/s. The ERS-7 hears two channels at
-/// 16000 samples/s. One channel is the mean of both.
+/// Payload of `A` 1 and of its reply. The ERS-7 hears two channels at 16000 samples/s. One channel is the mean of both.
 struct MicrophoneSettings {
   unsigned char mode;                 ///< bits of MicrophoneMode
   unsigned char channels;             ///< 1, or 2: left, right
@@ -52,9 +51,8 @@ struct MicrophoneSettings {
   }
 };
 
-/// Payload of a pushed `a` 1: uint32 frame number, uint16 samples of each channel, uint8 channels, uint8 0, int16
-/// samples. If the frame numbers of two pushes are further apart than the first push lasts, sound is missing between
-/// them: it could not be sent in time.
+/// Payload of a pushed `a` 1. If the frame numbers of two pushes are further apart than the first push lasts, sound is
+/// missing between them: it could not be sent in time.
 struct HeardSound {
   unsigned frame_number;  ///< OPEN-R frame (8 ms) in which the first sample was heard
   unsigned short count;   ///< number of samples of each channel
@@ -77,7 +75,7 @@ struct HeardSound {
 
 const size_t HEARD_SOUND_HEADER_SIZE = 8;
 
-/// Payload of `A` 2: uint32 position of the first sample, uint8 last, 3 x uint8 0, int16 samples, mono, 16000/s.
+/// Payload of `A` 2: mono sound, 16000 samples/s.
 ///
 /// Position 0 begins a sound and replaces one that plays; if it is the last and has no samples, it only stops the sound
 /// that plays. A sound begins with its first samples, so 64 ms or more should come at once. A sample is played
@@ -105,7 +103,7 @@ const unsigned SPEAKER_CAPACITY = 16384;
 /// How long no sample may come before a sound ends (END_REFUSED).
 const unsigned SPEAKER_TIMEOUT_MS = 2000;
 
-/// Payload of the reply to `A` 2: uint32 samples. While the sound plays, 16000 more may follow each second.
+/// Payload of the reply to `A` 2. While the sound plays, 16000 more may follow each second.
 struct SpeakerRoom {
   unsigned samples;  ///< how many may follow now
 
@@ -115,8 +113,7 @@ struct SpeakerRoom {
   }
 };
 
-/// Payload of a pushed `a` 2: uint8 how, 3 x uint8 0, uint32 samples, uint32 gaps, uint32 missing. The message is
-/// pushed when the last sample has been played, or when the sound has ended otherwise.
+/// Payload of an `a` 2 that is pushed when the last sample has been played, or when the sound has ended otherwise.
 struct SoundEnd {
   unsigned char how;  ///< END_DONE, END_REPLACED, END_STOPPED, END_REFUSED: nothing more came; expect others
   unsigned samples;   ///< samples that were played, with the silence in the gaps
@@ -138,8 +135,8 @@ struct SoundEnd {
 const unsigned char VOLUME_OF_ROBOT = 255;
 const unsigned char MAX_VOLUME = 3;
 
-/// Payload of `A` 3 and of its reply: uint8 0 = silent, to 3 = loudest, or VOLUME_OF_ROBOT. On an ERS-7, 1, 2 and 3 are
-/// -25, -18 and -10 dB (Model Information ERS-7, 3.1.2).
+/// Payload of `A` 3 and of its reply: 0 is silent, 3 the loudest, and VOLUME_OF_ROBOT is allowed. On an ERS-7, 1, 2 and
+/// 3 are -25, -18 and -10 dB (Model Information ERS-7, 3.1.2).
 struct Volume {
   unsigned char step;
 

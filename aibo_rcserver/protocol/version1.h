@@ -113,9 +113,6 @@ struct FileRequest {
 
 const size_t FILE_PAYLOAD_SIZE = FILE_REQUEST_SIZE - BASIC_COMMAND_SIZE;  ///< bytes of an encoded FileRequest
 
-/// The largest content that can be announced.
-const size_t MAX_CONTENT_SIZE = 65535 * 512 + 65535;
-
 void encodeFileRequest(const FileRequest& request, unsigned char* out);
 
 /// Decodes a request. It does not check the name; readMotionName() does.
@@ -124,7 +121,7 @@ FileRequest decodeFileRequest(const unsigned char* in);
 /// The content that `U` and `C` announce: a * 512 + b bytes.
 size_t contentSize(const FileRequest& request);
 
-/// @param size 0..MAX_CONTENT_SIZE
+/// @param size 0..65535 * 512 + 65535
 void announceContent(size_t size, FileRequest* request);
 
 unsigned char limitJpegQuality(unsigned char quality);

@@ -5,9 +5,9 @@
 /// big-endian, angles are in microradians, times on the robot are in OPEN-R frames of 8 ms. Numbers whose source is not
 /// named are our choice.
 ///
-/// encode() and decode() in fields.h convert each payload struct. The request's row (request.h) is next to its payload.
-/// Other headers have more payloads: hello.h, motion_requests.h, walk_requests.h, camera_settings.h, color_requests.h,
-/// picture_datagram.h, stick_pictures.h and sound_requests.h.
+/// encode() and decode() in fields.h convert each payload struct. Its visit() has the layout, as docs/protocol.md. The
+/// request's row (request.h) is next to its payload. Other headers have more payloads: hello.h, motion_requests.h,
+/// walk_requests.h, camera_settings.h, color_requests.h, picture_datagram.h, stick_pictures.h and sound_requests.h.
 #ifndef AIBO_RCSERVER_PROTOCOL_VERSION2_H
 #define AIBO_RCSERVER_PROTOCOL_VERSION2_H
 
@@ -123,7 +123,7 @@ struct NoPayload {
 
 const Request SAY_HELLO = {REQUEST_HELLO, "say hello", 0, NULL};
 
-/// Payload of `F`: uint8 layer.
+/// Payload of `F`.
 struct PictureRequest {
   Layer layer;
 
@@ -135,7 +135,7 @@ struct PictureRequest {
 
 const Request TAKE_PICTURE = {REQUEST_PICTURE, "take a picture", 0, NULL};
 
-/// Payload of `W` and its reply: uint8 on, uint8 layer, uint16 every n-th image.
+/// Payload of `W` and its reply.
 struct StreamSettings {
   bool on;
   Layer layer;
@@ -170,8 +170,7 @@ const size_t MAX_JOINTS = 32;
 extern const char TOO_MANY_JOINTS[];
 extern const char JOINT_TWICE[];
 
-/// Payload of the reply to `J`: uint16 duration, uint8 count, uint8 0, count x {uint8 id, uint8 0, uint16 0, int32
-/// microradian}. No id may repeat.
+/// Payload of the reply to `J`. No id may repeat.
 struct JointTargets {
   unsigned short duration_ms;  ///< when all joints arrive; 0 means that each moves as fast as its limits allow
   unsigned char count;         ///< 0..MAX_JOINTS
@@ -187,7 +186,7 @@ struct JointTargets {
   }
 };
 
-/// Payload of `J`: uint32 not after, then the fields of JointTargets.
+/// Payload of `J`.
 struct JointOrder {
   unsigned not_after;  ///< frame (isTooOld())
   JointTargets targets;
@@ -201,8 +200,7 @@ struct JointOrder {
 
 const Request MOVE_JOINTS = {REQUEST_JOINTS, "move joints", 0, NULL};
 
-/// Payload of `V` and its reply: count x {uint8 id, uint8 0, uint16 0, int32 microradian/s}. No id may repeat. An empty
-/// request reads all limits.
+/// Payload of `V` and its reply. No id may repeat. An empty request reads all limits.
 struct SpeedLimits {
   unsigned char count;  ///< 0..MAX_JOINTS
   JointValue joints[MAX_JOINTS];
@@ -220,9 +218,9 @@ const Request LIMIT_SPEEDS = {REQUEST_SPEED_LIMITS, "limit the speed of joints",
 /// that the server knows.
 enum TelemetryContent { TELEMETRY_PLAIN = 0, TELEMETRY_WITH_DUTY = 1 };
 
-/// Payload of `T` and its reply: uint16 period in OPEN-R frames of 8 ms, 0 = off.
+/// Payload of `T` and its reply.
 struct TelemetryPeriod {
-  unsigned short frames;
+  unsigned short frames;  ///< of 8 ms; 0 = off
 
   template <typename Fields>
   void visit(Fields& fields) {
@@ -256,8 +254,7 @@ struct TelemetryEntry {
 /// The most values in a push. An ERS-7 has 18 joints and about 20 sensors.
 const size_t MAX_TELEMETRY_ENTRIES = 128;
 
-/// Payload of a pushed `t`: uint32 frame number, uint16 count, uint16 0, count x {char group, uint8 id, uint16 0, int32
-/// value}.
+/// Payload of a pushed `t`.
 struct Telemetry {
   unsigned frame_number;  ///< the OPEN-R frame (8 ms) of the measurement
   unsigned short count;   ///< 0..MAX_TELEMETRY_ENTRIES
@@ -274,7 +271,7 @@ struct Telemetry {
 
 const size_t MAX_TELEMETRY_SIZE = 8 + MAX_TELEMETRY_ENTRIES * 8;
 
-/// Payload of `O`: uint32 not after, uint8 1 = on, 0 = off. An empty request reads the state.
+/// Payload of `O`. An empty request reads the state.
 struct MotorOrder {
   unsigned not_after;  ///< frame (isTooOld()); ignored if the motors are switched off
   bool on;
@@ -286,7 +283,7 @@ struct MotorOrder {
   }
 };
 
-/// Payload of the reply to `O`: uint8 1 = on, 0 = off.
+/// Payload of the reply to `O`.
 struct MotorState {
   bool on;
 
@@ -311,8 +308,7 @@ enum Posture {
   POSTURE_CARRIED = 6
 };
 
-/// Payload of a pushed `o`: uint8 1 = motors on, 0 = off, uint8 posture, uint16 0. A client gets this message soon
-/// after its first request and at each change.
+/// Payload of a pushed `o`. A client gets this message soon after its first request and at each change.
 struct MotorsAndPosture {
   bool motors_on;
   unsigned char posture;  ///< a Posture
@@ -331,7 +327,7 @@ enum HoldScope {
   HOLD_JOINTS = 1       ///< the joints in the payload
 };
 
-/// Payload of `I` for some joints: count x uint8 id. No id may repeat.
+/// Payload of `I` for some joints. No id may repeat.
 struct JointIds {
   unsigned char count;  ///< 1..MAX_JOINTS
   unsigned char ids[MAX_JOINTS];
@@ -366,7 +362,7 @@ struct LedValue {
 /// The most LEDs in a payload. An ERS-7 has 26.
 const size_t MAX_LEDS = 32;
 
-/// Payload of `L` and its reply: count x {uint8 id, uint8 intensity, uint8 mode, uint8 0}. No id may repeat.
+/// Payload of `L` and its reply. No id may repeat.
 struct LedValues {
   unsigned char count;  ///< 0..MAX_LEDS
   LedValue leds[MAX_LEDS];
@@ -380,7 +376,7 @@ struct LedValues {
 
 const Request SET_LEDS = {REQUEST_LEDS, "set LEDs", 0, NULL};
 
-/// Payload of `K` and its reply: uint8 left, uint8 right; 1 = drawn by the magnet, 0 = released.
+/// Payload of `K` and its reply.
 struct EarPositions {
   bool left;   ///< in a request: draw the ear; in a reply: the ear is drawn
   bool right;  ///< the same for the right ear
@@ -397,8 +393,7 @@ const Request MOVE_EARS = {REQUEST_EARS, "move the ears", 0, NULL};
 const Request SHUT_DOWN = {REQUEST_SHUT_DOWN, "shut down", 0, "ALLOW_SHUT_DOWN"};
 const Request REBOOT = {REQUEST_REBOOT, "reboot", 0, "ALLOW_REBOOT"};
 
-/// The payload of `f` before the JPEG: uint32 image count, uint32 frame number, uint16 width, uint16 height, uint8
-/// quality, uint8 layer, uint16 camera settings (packCameraSettings()).
+/// The payload of `f` before the JPEG.
 struct ImageHeader {
   unsigned image_count;     ///< the camera's own counter, of which a robot may use only the low 16 bits
   unsigned frame_number;    ///< the OPEN-R frame (8 ms) of the image
@@ -455,7 +450,7 @@ enum {
 const size_t MAX_ERROR_TEXT_SIZE = 512;
 const size_t MAX_ERROR_MESSAGE_SIZE = 2 + MAX_ERROR_TEXT_SIZE;
 
-/// Payload of `e`: uint16 code, then a text up to the end, which may be empty.
+/// Payload of `e`.
 struct ErrorMessage {
   unsigned short code;
   const char* text;  ///< plain text (text.h) that a user can act on; after decoding, points into the payload
@@ -498,7 +493,7 @@ const size_t MAX_END_NAME_SIZE = 64;
 const size_t MAX_END_REASON_SIZE = 512;
 const size_t MAX_END_MESSAGE_SIZE = 4 + MAX_END_NAME_SIZE + 1 + MAX_END_REASON_SIZE;
 
-/// Payload of a pushed `i`: uint8 what, uint8 how, uint16 order, name, newline, reason up to the end.
+/// Payload of a pushed `i`.
 struct EndMessage {
   unsigned char what;
   unsigned char how;

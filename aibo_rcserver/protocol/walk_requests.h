@@ -31,7 +31,7 @@ struct Velocity {
   }
 };
 
-/// Payload of `S`: uint32 not after, Velocity, uint16 0. If it is all 0, the robot stops and stands, however late.
+/// Payload of `S`. If the velocity is all 0, the robot stops and stands, however late.
 struct SteeringOrder {
   unsigned not_after;  ///< frame (isTooOld())
   Velocity velocity;
@@ -44,7 +44,7 @@ struct SteeringOrder {
   }
 };
 
-/// Payload of the reply to `S`: Velocity, uint16 walk.
+/// Payload of the reply to `S`.
 struct SteeringReply {
   Velocity velocity;    ///< the velocity in force, within the robot's WalkLimits
   unsigned short walk;  ///< number of the `S` that began the walk; 0 if there is no walk
@@ -66,7 +66,7 @@ struct WalkLimits {
   double turn;     ///< rad/s, in either direction
 };
 
-/// Payload of `E`, whose id is a Posture: uint32 not after. The empty reply comes when the robot begins to move; a
+/// Payload of `E`, whose id is a Posture. The empty reply comes when the robot begins to move; a
 /// pushed `i` (ENDED_POSTURE) says how it ended.
 struct PostureOrder {
   unsigned not_after;  ///< frame (isTooOld())

@@ -6,9 +6,6 @@ using namespace protocol::version2;
 
 namespace {
 
-const size_t LARGEST_WIDTH = 104;
-const size_t LARGEST_HEIGHT = 80;
-
 // The counts of one channel. The sums of columns and rows fit, because an ERS-7's plane has 8320 pixels.
 struct Count {
   unsigned pixels;
@@ -92,11 +89,11 @@ void countColors(const ColorPlane& plane, unsigned char channels, ColorRegions* 
 }
 
 bool canPackPlane(const ColorPlane& plane) {
-  return plane.width <= LARGEST_WIDTH && plane.height <= LARGEST_HEIGHT;
+  return plane.width <= MAX_COLOR_PLANE_WIDTH && plane.height <= MAX_COLOR_PLANE_HEIGHT;
 }
 
 size_t packPlane(const ColorPlane& plane, unsigned char* out) {
-  static const unsigned char EMPTY_ROW[LARGEST_WIDTH] = {0};
+  static const unsigned char EMPTY_ROW[MAX_COLOR_PLANE_WIDTH] = {0};
   size_t size = 0;
   for (size_t y = 0; y < plane.height; ++y) {
     const unsigned char* const row = y < plane.Rows() ? plane.pixels + y * plane.stride : EMPTY_ROW;

@@ -25,8 +25,9 @@ struct ColorPlane {
 /// @param[out] regions gets the count and the regions, one for each of these channels
 void countColors(const ColorPlane& plane, unsigned char channels, protocol::version2::ColorRegions* regions);
 
-/// Most bytes of a packed plane that is sent.
-const size_t MAX_PACKED_PLANE_SIZE = 80 * (104 + 1);
+/// Most bytes of a packed plane that is sent, row by row.
+const size_t MAX_PACKED_PLANE_SIZE =
+    protocol::version2::MAX_COLOR_PLANE_HEIGHT * (protocol::version2::MAX_COLOR_PLANE_WIDTH + 1);
 
 /// True if a plane is small enough to be sent: not larger than an ERS-7's.
 bool canPackPlane(const ColorPlane& plane);

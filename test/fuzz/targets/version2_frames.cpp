@@ -75,7 +75,7 @@ void decodeColorRegions(const Bytes& payload) {
   require(again == payload, "accepted regions have only one form");
   Bytes plane(std::min<std::size_t>(std::size_t{regions.width} * regions.height, kCapacity));
   if (version2::unpackColorPlane(regions.plane, regions.plane_size, plane.size(), plane.data()) == nullptr) {
-    Bytes once_more(version2::packedColorPlaneSize(plane.size()));
+    Bytes once_more(plane.size() + plane.size() / 128 + 1);
     const std::size_t size = version2::packColorPlane(plane.data(), plane.size(), once_more.data());
     require(size <= once_more.size(), "a packed plane is not larger than its maximum");
     Bytes same(plane.size());
