@@ -84,10 +84,13 @@ def commands_in(page):
 COMMANDS = [command for page in PAGES for command in commands_in(page)]
 
 
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(('127.0.0.1', 0))
-        return probe.getsockname()[1]
+def kept_port(test):
+    """A port that nobody else gets: a socket is bound to it, beside that of the program that listens there."""
+    place = socket.socket()
+    test.addClassCleanup(place.close)
+    place.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    place.bind(('127.0.0.1', 0))
+    return place.getsockname()[1]
 
 
 class CommandsTest(unittest.TestCase):
@@ -97,9 +100,9 @@ class CommandsTest(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = Path(tempfile.mkdtemp(prefix='aibo_commands_'))
         cls.addClassCleanup(shutil.rmtree, cls.folder)
-        cls.robot_ports = [free_port(), free_port()]
+        cls.robot_ports = [kept_port(cls), kept_port(cls)]
         cls.make_files()
-        master = free_port()
+        master = kept_port(cls)
         programs = Path(os.environ['BUILD_FOLDER']) / 'devel/lib/aibo_driver'
         # In a new build folder, catkin's environment does not have our messages yet.
         sys.path.insert(0, os.environ['PYTHON_MESSAGES'])
@@ -107,7 +110,7 @@ class CommandsTest(unittest.TestCase):
             PYTHONPATH='%s:%s' % (sys.path[0], os.environ.get('PYTHONPATH', '')), PWD=str(cls.folder),
             ROS_MASTER_URI='http://127.0.0.1:%d' % master, ROS_IP='127.0.0.1', ROS_HOME=str(cls.folder),
             HOME=str(cls.folder), QT_QPA_PLATFORM='offscreen', PATH='%s:%s' % (programs, os.environ['PATH']))
-        cls.console_port = free_port()
+        cls.console_port = kept_port(cls)
         for port, console in zip(cls.robot_ports, (['--console-port', str(cls.console_port)], ['--no-console'])):
             cls.start(['aibo_rcserver', '--port', str(port), *console, '--memory-stick', 'stick%d' % port])
         cls.start(['roslaunch', '-p', str(master), 'patient.launch'])
@@ -252,7 +255,8 @@ class CommandsTest(unittest.TestCase):
         end = time.monotonic() + PATIENCE
         with socket.create_connection(('127.0.0.1', self.console_port)) as console:
             hand = itertools.cycle((b'press back_middle\n', b'release back_middle\n'))
-            while not select.select([process.stdout], [], [], 0.5)[0] and time.monotonic() < end:
+            while not select.select([process.stdout], [], [], 0.5)[0]:
+                self.assertLess(time.monotonic(), end, 'it says nothing')
                 console.sendall(next(hand))
         self.assertEqual(process.stdout.readline(), 'Thank you!\n')
 

@@ -171,15 +171,27 @@ TEST(FollowGoal, IsFollowedWithFeedbackAndWithinTolerances) {
   EXPECT_NEAR(user.joints.position("head_pan"), 0.5, 0.05);
 }
 
-TEST(FollowGoal, ThatANewerOneForOneOfItsJointsReplacesIsPreemptedAndItsOtherJointsHold) {
+TEST(FollowGoal, ThatEndsEarlySaysHowAndItsOtherJointsHold) {
   FollowUser user("/follow_ended");
-  const auto goal = FollowGoal::begin(user.client, FollowUser::goal({{"head_pan", 1.4}, {"neck_tilt", -1.0}}, 14.0));
-  const auto newer = FollowGoal::begin(user.client, FollowUser::goal({{"head_pan", 0.0}}, 1.0));
-  EXPECT_EQ(goal->waitForEnd(), State::PREEMPTED);
-  ASSERT_TRUE(goal->result());
-  EXPECT_EQ(goal->result()->error_code, Result::SUCCESSFUL);
-  EXPECT_TRUE(user.joints.waitForSpeedBelow("neck_tilt", 0.03));
-  EXPECT_GT(user.joints.position("neck_tilt"), -0.9);
+  std::unique_ptr<FollowGoal> newer;
+  const std::tuple<const char*, std::function<void(FollowGoal&)>, State::StateEnum, int> rows[] = {
+      {"a newer goal for one of its joints",
+       [&](FollowGoal&) {
+         newer = FollowGoal::begin(user.client, FollowUser::goal({{"head_pan", 0.0}}, 1.0));
+       },
+       State::PREEMPTED, Result::SUCCESSFUL},
+      {"it is cancelled", [](FollowGoal& goal) { goal.cancel(); }, State::PREEMPTED, Result::SUCCESSFUL},
+      {"a stop", [&](FollowGoal&) { user.call<std_srvs::Trigger>("stop"); }, State::ABORTED, Result::INVALID_GOAL},
+  };
+  for (const auto& [name, happen, state, code] : rows) {
+    const auto goal = FollowGoal::begin(user.client, FollowUser::goal({{"head_pan", 1.4}, {"neck_tilt", -1.0}}, 14.0));
+    happen(*goal);
+    EXPECT_EQ(goal->waitForEnd(), state) << name;
+    ASSERT_TRUE(goal->result()) << name;
+    EXPECT_EQ(goal->result()->error_code, code) << name;
+    EXPECT_TRUE(user.joints.waitForSpeedBelow("neck_tilt", 0.03)) << name;
+    EXPECT_GT(user.joints.position("neck_tilt"), -0.9) << name;
+  }
 }
 
 // What the tolerances mean is in the unit tests. The robot knows whole microradians, so it cannot arrive there.

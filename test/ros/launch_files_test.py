@@ -137,6 +137,7 @@ class LaunchFilesTest(unittest.TestCase):
             ('aibo.launch', {'rviz': True}, {**driver, **rviz}),
             ('aibo.launch', {'rviz': True, 'publish_odom_tf': False, **left},
              {**of_left(driver), '/left/rviz': view + 'port/base_footprint'}),
+            ('aibo.launch', {'web': True}, {**driver, '/aibo/aibo_web': ''}),
             ('demo.launch', {}, demo),
             ('demo.launch', {'rviz': True, 'still': True}, {**without(demo, 'ball'), **rviz}),
             ('demo.launch', {'simulation': False}, without(demo, 'rcserver', 'room')),
@@ -164,6 +165,12 @@ class LaunchFilesTest(unittest.TestCase):
         again = nodes(resolve('aibo.launch', respawn=True))['/aibo/aibo_driver']
         self.assertEqual((again.respawn, again.respawn_delay), (True, 5))
         self.assertIs(nodes(resolve('aibo.launch'))['/aibo/aibo_driver'].respawn, False)
+
+    def test_the_page_is_where_it_should_be(self):
+        for name in ('aibo.launch', 'demo.launch'):
+            for given in {}, {'web_address': '192.168.1.5', 'web_port': 0}:
+                self.assertEqual(driver_parameters(resolve(name, web=True, **given), '/aibo/aibo_web'),
+                                 {'web_address': '127.0.0.1', 'web_port': 8080, **given})
 
     def test_the_driver_takes_a_calibration_of_its_walk(self):
         with tempfile.NamedTemporaryFile('w', suffix='.yaml') as file:

@@ -43,8 +43,13 @@ class OrderUser : public JointUser {
 
   // The longest way in the next time of a joint that is commanded here.
   double wayWithin(milliseconds time) {
-    const auto positions = [this] {
-      return std::array{joints.position("head_pan"), joints.position("neck_tilt"), joints.position("tail_pan")};
+    const auto position_of = [this](const char* joint) {
+      const double position = joints.position(joint);
+      EXPECT_FALSE(std::isnan(position)) << joint;
+      return position;
+    };
+    const auto positions = [&] {
+      return std::array{position_of("head_pan"), position_of("neck_tilt"), position_of("tail_pan")};
     };
     const auto before = positions();
     std::this_thread::sleep_for(time);  // the time is what is tested

@@ -129,6 +129,19 @@ TEST(Settings, OfWhatTheRobotSendsChangeItMeanwhile) {
   user.waitForLog("The resolution '1x1' is not one of 52x40, .* 416x320: it stays at 416x320");
 }
 
+TEST(Settings, TheTelemetryRateChangesMeanwhileToAPartOfTheRobots) {
+  TopicListener<sensor_msgs::JointState> joints("/settings_telemetry/joint_states");
+  SettingsUser user("/settings_telemetry", {"_stream_on_start:=false"});
+  ASSERT_TRUE(joints.waitForFirst());
+  EXPECT_NEAR(user.valueOf(user.set(change(&Config::doubles, "telemetry_rate", 10.0)), "telemetry_rate"), 31.25 / 3,
+              1e-9);
+  EXPECT_TRUE(user.becomesTrue([&joints] {
+    joints.clear();
+    const auto next = joints.waitForCount(3);
+    return std::abs((next.at(2)->header.stamp - next.at(0)->header.stamp).toSec() - 2 * 0.096) < 1e-3;
+  }));
+}
+
 TEST(Settings, SpeedScaleSlowsARunningTrajectoryThatStillArrives) {
   test_support::JointListener joints("/settings_trajectory");
   // A setting that was changed stays on the parameter server, for the next driver of the same name.

@@ -1,6 +1,7 @@
 """aibo_web's page in a real browser, with a real driver and the simulated robot."""
 import os
 import re
+import socket
 import subprocess
 import tempfile
 import threading
@@ -50,7 +51,11 @@ class WebBrowserTest(unittest.TestCase):
         master.start()
         cls.addClassCleanup(master.stop)
         os.environ['ROS_MASTER_URI'] = master.uri
-        cls.robot_port = 0
+        cls.place = socket.socket()  # keeps the port for the robot while it is gone
+        cls.addClassCleanup(cls.place.close)
+        cls.place.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        cls.place.bind(('127.0.0.1', 0))
+        cls.robot_port = cls.place.getsockname()[1]
         cls.start_robot()
         cls.start_driver()
         web = cls.node('aibo_web', '_web_port:=0', sign=r'page is at (\S+)')
@@ -76,8 +81,7 @@ class WebBrowserTest(unittest.TestCase):
     @classmethod
     def start_robot(cls):
         cls.robot = cls.start('rosrun', 'aibo_driver', 'aibo_rcserver', '--port', str(cls.robot_port),
-                              '--console-port', '0', sign=r'listening on [0-9.]+:([0-9]+)')
-        cls.robot_port = int(cls.robot.found.group(1))
+                              '--console-port', '0', sign='listening on')
 
     @classmethod
     def start_driver(cls):
@@ -166,6 +170,8 @@ class WebBrowserTest(unittest.TestCase):
         self.wait('#release:disabled')
         self.element('#stop').click()
         self.wait('#release:enabled')
+        self.element('#release').click()
+        self.wait('#release:disabled')
 
     def test_keeps_and_shows_a_picture(self):
         self.element('[data-do=take_picture]').click()

@@ -969,6 +969,7 @@ TEST(Goal, IsNotWalkedToAfterTheseEvents) {
   } rows[] = {
       {"STOPPED /panel called stop", true, {"stop"}},
       {"LOST the connection to the robot was lost", true, {"reconnected"}},
+      {"LOST the connection to the robot was lost", true, {"reconnected unnoticed"}},
       {"LOST there is no robot", true, {"no robot"}},
       {"STOPPED no velocity came to the robot for 0.5 s", true, {"walk done"}},
       {"STOPPED it was not steered for 500 ms", true, {"walk not steered"}},
