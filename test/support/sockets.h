@@ -1,5 +1,5 @@
 /// @file sockets.h
-/// TCP over IPv4 for test servers, clients and proxies. Errors are thrown as std::system_error.
+/// Sockets over IPv4 for test servers, clients and proxies. Errors are thrown as std::system_error.
 #ifndef TEST_SUPPORT_SOCKETS_H
 #define TEST_SUPPORT_SOCKETS_H
 
@@ -70,9 +70,8 @@ inline bool tryToBind(const host_files::FileDescriptor& socket, const std::strin
 }
 
 /// Binds a TCP socket to an address of this computer.
-/// @param port 0 = any free one that no ROS node has had: the kernel picks free ports from 32768 up, a ROS node that
-/// was
-///   killed may have had such a port, and the master goes on sending messages there
+/// @param port 0 = any free one below 32768. The kernel gives ROS nodes ports from there up, and the master goes on
+///   sending messages to a node that was killed.
 inline void bindSocket(const host_files::FileDescriptor& socket, const std::string& address, int port) {
   static std::mt19937 random(std::random_device{}());
   // A port that another test keeps is not free, although nothing listens there.
