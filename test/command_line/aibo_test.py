@@ -616,7 +616,7 @@ class Lost(TestCase):
                 watch.kill()
                 robot.end()
 
-    def test_whatever_waits_for_a_robot_that_is_lost_ends_and_says_so(self):
+    def test_what_waits_for_a_robot_that_is_lost_ends_and_says_so(self):
         heard = b"a", struct.pack(">IHBx", 10, 512, 2) + bytes(2048), 0, 1
         answers = {b"T": [[b"\0\4", measured(J={joint: -900 * joint for joint in Answered.JOINTS}, S={66: 870000})]], b"V": [[b""]],
                    b"A": [[struct.pack(">BBH", 1, 2, 16000), heard]], **dict.fromkeys((b"E", b"O", b"S", b"U", b"M", b"D"), [[None]])}
@@ -943,7 +943,7 @@ class Documents(unittest.TestCase):
     def text(*words):
         return subprocess.run([AIBO, *words], capture_output=True, timeout=60, check=True, text=True).stdout
 
-    def test_the_document_has_all_commands_and_only_options_that_there_are(self):
+    def test_the_document_has_all_commands_and_their_options(self):
         commands = re.findall(r"^  ([a-z-]+) +\S", self.text("help").split("Options")[0], re.MULTILINE)
         document = (PROJECT / "docs/command_line.md").read_text(encoding="utf-8")
         options = set()

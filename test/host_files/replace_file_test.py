@@ -55,7 +55,7 @@ class Writer:
         self.expect_written(self.file)
         self.assertEqual((self.file.read_bytes(), self.file.stat().st_mode & 0o7777), (CONTENT, 0o604))
 
-    def test_a_link_is_followed_and_stays_even_if_it_leads_to_nothing(self):
+    def test_a_link_is_followed_and_stays(self):
         (self.folder / 'other').mkdir()
         (self.folder / 'other/old').write_text('old')
         for link, target in (('a', 'other/old'), ('b', 'other/new'), ('c', 'b'), ('d', self.folder / 'other/d')):
@@ -98,7 +98,7 @@ class Writer:
             self.assertRegex(ended.stderr.decode(), f'{file} cannot be written: .*{why}')
         self.assertEqual((self.file.read_text(), self.files()), ('old', before))
 
-    def test_removes_what_a_killed_writer_has_left_but_no_part_that_is_being_written(self):
+    def test_removes_what_a_killed_writer_has_left(self):
         for part in ('.aibo_part.1', '.aibo_part.2'):
             (self.folder / part).write_text('half')
         with open(self.folder / '.aibo_part.1', 'ab') as part:

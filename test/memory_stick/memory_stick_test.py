@@ -535,7 +535,7 @@ class CheckBinary(Workshop):
         self.expect_failure(done, "faulty.bin: .SnapShotHdr describes no OPEN-R object", "Do not start it on a robot")
         self.assertIn("no fault found", done.stdout)
 
-    def test_says_what_is_unusual_which_this_projects_programs_are_not(self):
+    def test_says_what_is_unusual(self):
         unusual = (self.sdk / "program").read_bytes().replace(struct.pack("<I", 0x1005), struct.pack("<I", 5), 1)
         (self.folder / "team.bin").write_bytes(unusual)
         done = self.run_script("--check-binary", self.folder / "team.bin")

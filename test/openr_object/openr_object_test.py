@@ -78,7 +78,7 @@ class OpenrObjectTest(unittest.TestCase):
         robot.ask("release head_touch")
         robot.wait_until(lambda: robot.joint("head_tilt") > 9.5)
 
-    def test_the_example_nods_whenever_its_head_is_touched_and_writes_to_the_stick(self):
+    def test_the_example_nods_when_its_head_is_touched(self):
         nods = self.work / "example" / "MS" / "NODS.TXT"
         for run in range(2):  # a second program begins anew
             robot = Robot(EXAMPLE, self.work)
@@ -90,7 +90,7 @@ class OpenrObjectTest(unittest.TestCase):
             self.assertIn("Nodder: nod 2\n", robot.output)
             self.assertNotIn("RCServer", robot.output)
 
-    def test_what_sonys_headers_bring_along_and_folders_of_the_makefile_are_found(self):
+    def test_finds_sonys_headers_and_the_folders_of_the_makefile(self):
         folder = self.work / "source"
         shutil.copytree(str(EXAMPLE), str(folder))
         (folder / "include").mkdir()

@@ -67,7 +67,7 @@ control_msgs::JointTolerance tolerance(const std::string& joint, double position
   return tolerance;
 }
 
-TEST(PlayMotionGoal, SucceedsAtTheEndOfTheMotionAndItsFeedbackIsTheTimeSinceItsBeginning) {
+TEST(PlayMotionGoal, SucceedsAtTheEndOfTheMotionAndTellsTheTimeMeanwhile) {
   PlayUser user("/play", {"_motion_speed_limit:=0.7"});
   const ros::SteadyTime begin = ros::SteadyTime::now();
   const auto goal = PlayGoal::begin(user.client, PlayUser::nod(0));  // it plays at least once

@@ -132,7 +132,7 @@ class CalibrateWalkTest(unittest.TestCase):
         with self.assertRaisesRegex(program.Problem, '/aibo/aibo_driver guards the walk. Start it with guard:=false'):
             self.run_program({}, '/nowhere/a.yaml')
 
-    def test_steers_until_odometry_says_that_it_is_far_enough_and_then_stops(self):
+    def test_steers_until_odometry_says_that_it_is_far_enough(self):
         robot = program.Robot.__new__(program.Robot)
         robot.pose, robot.turned, steered = (2.0, 1.0, math.pi / 2), 0.5, []
 

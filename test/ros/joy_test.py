@@ -51,7 +51,7 @@ class JoyTest(unittest.TestCase):
             ([1, 0], [0, 0]), ([1, -0.5], [0, 0]), ([1, -0.5], [0, 1]), ([1, -0.5], [0, 0]), ([1, 1], [0, 0]),
             ([0, 0], [0, 0])])
 
-    def test_publishes_the_same_again_until_the_joystick_is_gone_and_then_that_nothing_is_pressed(self):
+    def test_repeats_until_the_joystick_is_gone_and_lets_go_then(self):
         press = [lambda: self.report(1, BUTTON, 0)]
         self.assertEqual(self.published(press + [lambda: None] * 2), [
             ([0, 0], [0, 0]), ([0, 0], [1, 0]), ([0, 0], [1, 0]), ([0, 0], [1, 0]), ([0, 0], [0, 0])])

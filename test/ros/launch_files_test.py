@@ -71,7 +71,7 @@ def documented_topics():
 
 class LaunchFilesTest(unittest.TestCase):
 
-    def test_the_documented_parameters_are_those_that_the_driver_reads(self):
+    def test_the_driver_reads_the_documented_parameters(self):
         source = ''.join((PROJECT / 'aibo_driver/node' / name).read_text(encoding='utf-8')
                          for name in ('driver_parameters.h', 'driver_parameters.cpp'))
         self.assertEqual(set(re.findall(r'\b(?:reader\.read|visit)\("(\w+)"', source)), set(documented_parameters()))
@@ -182,7 +182,7 @@ class LaunchFilesTest(unittest.TestCase):
         self.assertEqual({name: given[name] for name in calibration}, calibration)
         self.assertEqual(given['walk_speed_limit'], 0.1)
 
-    def test_demo_passes_on_where_the_robot_is_and_guards_walks_unless_it_walks_around_the_ball(self):
+    def test_demo_passes_on_where_the_robot_is_and_guards_walks(self):
         for walk, node in (False, 'aibo_room/on_table'), (True, 'aibo_follow_ball/walk'):
             config = resolve('demo.launch', walk=walk, on_table=not walk, host='h', port=7, picture_folder='/srv')
             self.assertLessEqual({'host': 'h', 'port': 7, 'picture_folder': '/srv'}.items(),

@@ -300,7 +300,7 @@ TEST(Node, ASecondDriverInANamespaceRefusesToStartAndNamesTheFirst) {
   is_refused("third", taken + "second");
 }
 
-TEST(Node, StartsAlthoughAnotherNodeHasTheAddressOfADriverThatWasKilled) {
+TEST(Node, StartsWhereAnotherNodeHasTheAddressOfADriverThatWasKilled) {
   const auto master = aibo_driver::node::XmlRpcPeer::master();
   const std::string topic = "/reused/connection";
   const std::string address = ros::XMLRPCManager::instance()->getServerURI();

@@ -136,7 +136,7 @@ TEST_F(FollowBall, EndsWhenSomebodyStopsTheRobotOrAnythingElseMovesIt) {
   }
 }
 
-TEST_F(FollowBall, BeginsWhenTheMotorsAreOnAndNothingElseMovesTheRobotButAWalkLeavesTheHeadFree) {
+TEST_F(FollowBall, BeginsWhenTheMotorsAreOnAndNothingElseMovesTheHead) {
   driver_.showBall(10, 6);
   driver_.tell(RobotState::OFF, RobotState::LYING);
   move("/somebody", Movement::POSTURE);

@@ -129,7 +129,7 @@ TEST_F(PlaySoundTest, ACallBeginsASoundAndStopsIt) {
   EXPECT_EQ(user_.call<aibo_driver::SetVolume>("set_volume", volume).volume, 2);
 }
 
-TEST_F(PlaySoundTest, AGoalSucceedsAtTheEndOfItsSoundAndStopsOnlyThisWhenItIsCancelled) {
+TEST_F(PlaySoundTest, AGoalSucceedsAtTheEndOfItsSoundAndCancelledStopsIt) {
   EXPECT_EQ(begin("short.wav")->waitForEnd(), State::SUCCEEDED);
   const auto cancelled = begin("long.wav");
   ASSERT_TRUE(cancelled->waitForFeedback());

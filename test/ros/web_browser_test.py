@@ -128,7 +128,7 @@ class WebBrowserTest(unittest.TestCase):
     def lift(self):
         ActionChains(self.browser).release().perform()
 
-    def test_shows_the_picture_and_everything_in_reach_at_both_sizes(self):
+    def test_shows_the_picture_and_everything_at_both_sizes(self):
         seen = set()
 
         def sees():

@@ -233,7 +233,7 @@ class WebTest : public ::testing::Test {
 
 DriverUser* WebTest::user_ = nullptr;
 
-TEST_F(WebTest, ShowsThePicturesOfTheCameraByteForByteAndWaitsUntilEachIsShown) {
+TEST_F(WebTest, ShowsThePicturesByteForByteAndWaitsUntilEachIsShown) {
   TopicListener<sensor_msgs::CompressedImage> camera("/web/camera/image_raw/compressed");
   Web web("/web");
   BrowserPage fast(web);

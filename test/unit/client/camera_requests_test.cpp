@@ -58,7 +58,7 @@ TEST_F(CameraRequestsTest, AStreamOfFewImagesIsNotTakenForASilentOne) {
   EXPECT_EQ(kSilentStream, whyGivenUp([this] { live(milliseconds(2)); }));
 }
 
-TEST_F(CameraRequestsTest, APictureOfAnotherResolutionThanTheRunningStreamsIsForItsCallerAlone) {
+TEST_F(CameraRequestsTest, APictureOfAnotherResolutionIsForItsCallerAlone) {
   begin();
   stream();
   const auto delivered_for = [this](Resolution resolution) {

@@ -244,7 +244,7 @@ TEST_F(DatagramsTest, AnOutageOfTheRadioIsNoReasonForTcp) {
   }
 }
 
-TEST_F(DatagramsTest, WithoutAWholePictureInTwentyThePicturesComeByTcpWhereSilenceIsAFault) {
+TEST_F(DatagramsTest, WithoutAWholePictureInTwentyThePicturesComeByTcp) {
   live(std::chrono::seconds(1), [this] {
     std::vector<Bytes> cut = nextPicture();
     cut.pop_back();
@@ -271,7 +271,7 @@ TEST_F(DatagramsTest, APictureOfTheStreamThatWasOvertakenOnAnyWayIsNotDelivered)
   EXPECT_EQ(3u, pictures_.size()) << "the same one";
 }
 
-TEST_F(DatagramsTest, EachWholePictureIsReportedAtOnceAndAgainBecauseTheRobotWaitsForIt) {
+TEST_F(DatagramsTest, EachWholePictureIsReportedAtOnceAndAgain) {
   for (unsigned picture = 1; picture < 4; ++picture) {
     arrive(nextPicture());
     const std::vector<Status> statuses = takeStatuses();

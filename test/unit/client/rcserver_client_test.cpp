@@ -75,7 +75,7 @@ TEST_F(RcServerClientTest, EachConnectionHasTheNextNumber) {
   }
 }
 
-TEST_F(RcServerClientTest, TellsWhenTheStreamWasSwitchedOnOrOffAlsoByTheEndOfAConnection) {
+TEST_F(RcServerClientTest, TellsWhenTheStreamGoesOnOrOffAlsoByTheEndOfAConnection) {
   ScriptedPeer peer = startStream();
   const auto tells = [this](const std::vector<bool>& changes) {
     return eventually([&] { return recorder_.reports().streaming == changes; });

@@ -8,7 +8,7 @@ using std::chrono::milliseconds;
 
 namespace {
 
-TEST(ReconnectBackoffTest, WaitsDoubleUpToTheLimitLessAnotherPartForEachClientHalfAtMost) {
+TEST(ReconnectBackoffTest, WaitsDoubleUpToTheLimitLessARandomPart) {
   std::set<milliseconds> last_waits;
   for (unsigned seed = 1; seed < 200; ++seed) {
     aibo_client::ReconnectBackoff backoff(milliseconds(100), milliseconds(2000), seed);

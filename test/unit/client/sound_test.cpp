@@ -222,7 +222,7 @@ TEST_F(SoundTest, ALateEndOfTheSoundBeforeIsNotTakenForThatOfTheNewOne) {
   EXPECT_EQ("1 replaced, 2 done", ends());
 }
 
-TEST_F(SoundTest, ASoundThatTheUserOrTheRobotHasEndedDoesNotBeginAgainWithALateAnswer) {
+TEST_F(SoundTest, ASoundThatHasEndedDoesNotBeginAgainWithALateAnswer) {
   begin();
   play({1, 0, 500, false});
   auto late = send({1, 500, 1, false});

@@ -31,7 +31,7 @@ class StallDetectorTest : public testing::Test {
   StallDetector detector_{now_};
 };
 
-TEST_F(StallDetectorTest, NothingIsStaleWhileTheThreadKeepsUpOrHasWatchedAPauseOfTheRobot) {
+TEST_F(StallDetectorTest, NothingIsStaleWhileTheThreadKeepsUpOrTheRobotPauses) {
   for (int i = 0; i < 100; ++i) {
     now_ += milliseconds(i % 2 == 0 ? 32 : 40);
     EXPECT_FALSE(pictureIsStale());

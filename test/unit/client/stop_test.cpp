@@ -110,7 +110,7 @@ TEST_F(StopTest, EndsTheWaitForTheConnection) {
 }
 
 // The client's thread cannot end while it is in a callback, so that all calls wait for it at the same time.
-TEST_F(StopTest, FromSeveralThreadsAtOnceReturnsToEachOfThemWhenTheThreadHasEnded) {
+TEST_F(StopTest, FromSeveralThreadsAtOnceReturnsToEachOfThem) {
   std::promise<void> in_callback;
   std::promise<void> release;
   Callbacks callbacks;

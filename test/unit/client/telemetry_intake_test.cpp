@@ -127,7 +127,7 @@ TEST_F(TelemetryIntakeTest, AnImpossiblePositionIsDroppedCountedAndLoggedOnce) {
                                 "left_front_knee is 2147.48; it can be -0.723599 to 2.41657."));
 }
 
-TEST_F(TelemetryIntakeTest, OfAJointThatIsThereTwiceAndOfAnImpossibleDutyTheRestIsDelivered) {
+TEST_F(TelemetryIntakeTest, OfAJointTwiceAndOfAnImpossibleDutyTheRestIsDelivered) {
   measure({{kKnee, 0.5}, {kKnee, 0.51}});
   EXPECT_THAT(delivered_.at(0).joints, SizeIs(1));
   EXPECT_THAT(log_, ElementsAre(testing::HasSubstr("left_front_knee appears twice")));
@@ -137,7 +137,7 @@ TEST_F(TelemetryIntakeTest, OfAJointThatIsThereTwiceAndOfAnImpossibleDutyTheRest
   EXPECT_EQ(counters_.impossible_values, 2U);
 }
 
-TEST_F(TelemetryIntakeTest, WhatComesTooOftenIsThinnedToTwiceTheRateAskedForAndThatIsSaidOnce) {
+TEST_F(TelemetryIntakeTest, WhatComesTooOftenIsThinnedToTwiceTheRateAskedFor) {
   intake_.askedFor(8);
   constexpr std::size_t kMessages = 33000;
   for (std::size_t i = 0; i < kMessages; ++i) {  // in 1 s

@@ -66,7 +66,7 @@ class TransportChoiceTest : public DatagramsFixture {
   std::string ways_;  ///< that the robot was told: U, T
 };
 
-TEST_F(TransportChoiceTest, WhereNoTestComesNoPictureIsLostAndTheReasonIsToldUntilOneComes) {
+TEST_F(TransportChoiceTest, WhereNoTestComesNoPictureIsLostAndTheReasonIsTold) {
   lets_through_ = false;
   answerAll();
   watch(milliseconds(700));

@@ -74,7 +74,7 @@ TEST_F(Version1SessionTest, WithoutAStreamEachCallerGetsAPictureOfItsOwnQuality)
   EXPECT_EQ(2u, pictures_.size()) << "they are published like any other";
 }
 
-TEST_F(Version1SessionTest, DuringTheStreamEveryCallerGetsTheNextPictureThatBeginsAfterTheCall) {
+TEST_F(Version1SessionTest, DuringTheStreamACallerGetsTheNextPictureThatBegins) {
   wanted_.streaming = true;
   command();
   wanted_.jpeg_quality = 60;  // of the next stream
@@ -137,7 +137,7 @@ TEST_F(Version1SessionTest, ADamagedPictureIsDroppedAndRequestedAgainIfItIsACall
   EXPECT_EQ(1, logged("sent a damaged picture"));
 }
 
-TEST_F(Version1SessionTest, AJointIsSentInHundredthsOfADegreeAndItsAnswerReportedInRadian) {
+TEST_F(Version1SessionTest, AJointIsSentInHundredthsOfADegreeAndReportedInRadian) {
   commandJoints({{2, -0.5}});
   EXPECT_EQ("J2=-2865", command());
   receive({'j', 2, 0xCF, 0xF4});  // -2865
@@ -145,7 +145,7 @@ TEST_F(Version1SessionTest, AJointIsSentInHundredthsOfADegreeAndItsAnswerReporte
   EXPECT_TRUE(telemetry_.empty());
 }
 
-TEST_F(Version1SessionTest, SpeedLimitsAndThenJointsAreSentOneAtATimeAndNothingElseMeanwhile) {
+TEST_F(Version1SessionTest, SpeedLimitsAndThenJointsAreSentAloneAndOneAtATime) {
   commandJoints({{1, 0.1}, {2, 0.2}});
   limitSpeed({{1, 0.5}, {2, 20}});
   EXPECT_EQ("V1=2865", command());

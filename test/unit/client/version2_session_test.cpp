@@ -75,7 +75,7 @@ TEST_F(Version2SessionTest, SaysHelloEachSecondWhateverElseIsSentAndWhenItIsAske
   EXPECT_EQ("H", requests()) << "though the one before is not answered";
 }
 
-TEST_F(Version2SessionTest, AServerThatDoesNotAnswerTheHeartbeatIsGivenUpAlsoWhileNothingIsWanted) {
+TEST_F(Version2SessionTest, AServerThatDoesNotAnswerTheHeartbeatIsGivenUp) {
   pass(milliseconds(1000));
   EXPECT_EQ("H 0", request());
   pass(milliseconds(999));
@@ -132,7 +132,7 @@ TEST_F(Version2SessionTest, AStreamThatIsSilentIsGivenUpThoughTheHeartbeatIsAnsw
   EXPECT_EQ(kSilentStream, whyGivenUp([this] { live(milliseconds(1)); }));
 }
 
-TEST_F(Version2SessionTest, APictureOfTheStreamHasItsNumbersAndOneThatArrivedWithItIs1NsLater) {
+TEST_F(Version2SessionTest, PicturesHaveTheirNumbersAndTwoThatCameTogetherAre1NsApart) {
   stream();
   const Bytes picture = makeFrame('f', 0, version2_frames::makePicture(test_pictures::makeNumbered(1), 4711));
   Bytes both = picture;
@@ -158,7 +158,7 @@ TEST_F(Version2SessionTest, PicturesOfAStoppedStreamAreDroppedAndAFaultIfTheyDoN
   EXPECT_THAT(whyGivenUp([this] { pushPicture(2); }), HasSubstr("it sends pictures although it was told to stop"));
 }
 
-TEST_F(Version2SessionTest, DuringTheStreamEachCallerGetsItsOwnPictureAtItsOwnQualityInAnyOrder) {
+TEST_F(Version2SessionTest, DuringTheStreamEachCallerGetsItsOwnPictureInAnyOrder) {
   stream();
   auto first = takePicture(10);
   auto second = takePicture(0);
@@ -176,7 +176,7 @@ TEST_F(Version2SessionTest, DuringTheStreamEachCallerGetsItsOwnPictureAtItsOwnQu
   EXPECT_THAT(pictures_, SizeIs(3));
 }
 
-TEST_F(Version2SessionTest, ACallThatTimesOutLeavesTheConnectionAloneAndItsLatePictureIsDropped) {
+TEST_F(Version2SessionTest, ThePictureOfACallThatHasTimedOutIsDropped) {
   auto taken = takePicture(10, milliseconds(300));
   EXPECT_EQ("F 10 0", request());
   const Frame order = frame_;
@@ -304,7 +304,7 @@ TEST_F(Version2SessionTest, SpeedLimitsGoFirstUnlessTheRobotHasThem) {
   EXPECT_EQ("V 0 3 0 0 0 0 30 132 128", request()) << "it was refused";
 }
 
-TEST_F(Version2SessionTest, OfVelocitiesToWalkWithTheNewestIsSentWhenTheOneBeforeIsAnswered) {
+TEST_F(Version2SessionTest, TheNewestVelocityIsSentWhenTheOneBeforeIsAnswered) {
   steer({0.15, -0.06, 1.2});
   EXPECT_EQ("S 0 0 0 0 52 0 150 255 196 4 176 0 0", request());
   for (int i = 1; i < 100; ++i) {
@@ -721,7 +721,7 @@ TEST_F(Version2SessionTest, OneRequestForTheMemoryStickIsSentAtATimeAndTheOthers
   EXPECT_EQ("D", requests()) << "the one before was not answered in time";
 }
 
-TEST(Version2Session, LetsAnswersAndPicturesBeLateUntilALargeUploadBeforeThemHasEnded) {
+TEST(Version2Session, LetsAnswersAndPicturesBeLateUntilALargeUploadHasEnded) {
   for (const bool is_refused : {false, true}) {
     NewSession session;
     session.stream();

@@ -42,7 +42,7 @@ class RobotStamperTest : public ::testing::Test {
   robot_time::RobotClock robot_clock_;
 };
 
-TEST_F(RobotStamperTest, TheStampOfAPictureWithoutAFrameNumberIsTheArrivalOfItsFirstByte) {
+TEST_F(RobotStamperTest, APictureWithoutAFrameNumberIsStampedAtItsFirstByte) {
   RobotStamper stamper = makeStamper(0ns, &robot_clock_);
   EXPECT_EQ(stamper.momentOf(pictureOf(steady_now_ - 20ms)).stamp, ros::Time(999, 980000000));
 }

@@ -26,7 +26,7 @@ class MeasuredJointsTest : public ::testing::Test {
   MeasuredJoints measured_{table_};
 };
 
-TEST_F(MeasuredJointsTest, HaveTheVelocityBetweenTheLastTwoMeasurementsSinceTheyWereCleared) {
+TEST_F(MeasuredJointsTest, HaveTheVelocityBetweenTheLastTwoMeasurements) {
   struct Measurement {
     std::optional<std::uint32_t> frame;
     std::chrono::milliseconds arrival;

@@ -508,7 +508,7 @@ TEST(Stop, ThatDoesNotReachTheRobotRefusesOrdersAllTheSame) {
   }
 }
 
-TEST_F(MoverTest, WhatTheRobotAndTheClientReportDuringAStopHasTheReasonOfTheStop) {
+TEST_F(MoverTest, WhatIsReportedDuringAStopHasTheReasonOfTheStop) {
   const auto motion = play("NOD.MTN");
   const std::uint64_t playing = client.order();
   const auto read = play("WAG.MTN");  // from the memory stick
@@ -559,7 +559,7 @@ TEST_F(MoverTest, CancellingEndsOneMovementAndHoldsItsJoints) {
 }
 
 // A version 1 server has no request to hold: each joint is sent to a place to hold, so that none turns back.
-TEST_F(MoverTest, AVersion1ServerHoldsWhereATrajectoryWasSentAndACommandShouldBe) {
+TEST_F(MoverTest, AVersion1ServerHoldsWhereTheJointsShouldBe) {
   happen(*this, {"version 1"});
   follow("head_pan", 0.5);
   happen(*this, {"joints accepted"});
@@ -764,7 +764,7 @@ TEST(Trajectory, EndsByItsLastStepOrByWhatInterruptsIt) {
   }
 }
 
-TEST_F(MoverTest, ATrajectoryIsMeasuredIfItHasTolerancesOfItsOwnOrTheServerHasVersion1) {
+TEST_F(MoverTest, ATrajectoryWithTolerancesOrInVersion1IsMeasured) {
   Arrival arrival;
   arrival.is_measured = true;
   arrival.tolerances["head_pan"].position = 0.2;
@@ -930,7 +930,7 @@ TEST(Walk, EndsAsTheseEventsSay) {
   }
 }
 
-TEST_F(MoverTest, OneWalkMayBeSteeredByTwoNodesAndIsTheOthersWhenTheFirstPauses) {
+TEST_F(MoverTest, OneWalkMayBeSteeredByTwoNodesAndIsTheOthersAfterAPause) {
   walk();
   steer(0.1, "/navigation");
   EXPECT_THAT(mover.state().movements, SizeIs(1));

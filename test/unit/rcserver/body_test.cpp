@@ -72,7 +72,7 @@ TEST_F(BodyTest, APartThatDoesNotOpenIsNamedAndTheOthersWork) {
   }
 }
 
-TEST_F(BodyTest, TheBlockHoldsJointsAndSensorsByAscendingIdentifierUnlessTheyAreLeftOut) {
+TEST_F(BodyTest, TheBlockHoldsWhatIsIncludedByAscendingIdentifier) {
   for (size_t i = 0; i < robot_.sensor_values.size(); ++i) {
     robot_.sensor_values[i] = static_cast<int>(10000 * (i + 1));
   }
@@ -168,7 +168,7 @@ TEST_F(BodyTest, EarIsLetGoAtOnceAndCannotBeDrawnWhileItRests) {
   expectAnswer(request('K', kLeftEar, 1), 'k', kLeftEar, 1);
 }
 
-TEST_F(BodyTest, ShuttingDownAndRebootingAreRefusedUnlessTheSettingsAllowThem) {
+TEST_F(BodyTest, ShuttingDownAndRebootingNeedTheSettings) {
   startWith("ALLOW_REBOOT=yes");
   expectError(request('Q', 0, 0));
   startWith("ALLOW_SHUT_DOWN=yes");

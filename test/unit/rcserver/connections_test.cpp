@@ -61,7 +61,7 @@ TEST_F(ConnectionsTest, ClientsTurnedAwayThatDoNotCloseDoNotKeepOthersOut) {
 }
 
 // What it has asked for after that waits, too.
-TEST_F(ConnectionsTest, ClientThatClosesWhileTheMemoryStickIsAtWorkLeavesItsPlaceAtOnce) {
+TEST_F(ConnectionsTest, ClientThatClosesWhileTheStickIsAtWorkLeavesItsPlace) {
   file_keeper_.slowDown();
   client_ = connectServed();
   send(fileRequest('P', "NOD.MTN", 1));
@@ -185,7 +185,7 @@ TEST_F(ConnectionsTest, ClientThatAsksForNothingLosesItsPlaceAfterTwoSeconds) {
 class PlayingClientTest : public ConnectionsTest {};
 
 // WAG.MTN takes less than 2 s.
-TEST_F(PlayingClientTest, MotionOfASilentVersion1ClientEndsAfterTenSecondsButTheClientStays) {
+TEST_F(PlayingClientTest, MotionOfASilentVersion1ClientEndsAfterTenSeconds) {
   auto client = connectServed();
   client->send(fileRequest('P', "WAG.MTN", 1000));
   ASSERT_EQ(awaitLetter(*client), 'p');

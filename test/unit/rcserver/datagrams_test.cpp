@@ -134,7 +134,7 @@ TEST_F(DatagramsTest, DatagramsGoToTheClientAloneAndEndWithIt) {
   EXPECT_FALSE(nextPicture(elsewhere).empty());
 }
 
-TEST_F(DatagramsTest, OnlyTheClientAcknowledgesAndAllPicturesBeforeTheOneThatItNames) {
+TEST_F(DatagramsTest, OnlyTheClientAcknowledgesAllPicturesBeforeTheOneNamed) {
   UdpSocket receiver;
   UdpSocket stranger;
   UdpSocket elsewhere("127.0.0.2", receiver.port());

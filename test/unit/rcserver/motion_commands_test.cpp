@@ -158,7 +158,7 @@ class FileJobsTest : public FakeRobotFixture {
   const std::string motion_ = motionBytes("at 0 head_pan 0\nat 800 head_pan 30\n");
 };
 
-TEST_F(FileJobsTest, AJointCommandedOrHeldWhileAFileIsReadObeysThatAndTheMotionDoesNotBegin) {
+TEST_F(FileJobsTest, AMotionDoesNotBeginIfAJointWasOrderedWhileItWasRead) {
   for (const std::string& last : {frame('J', 0, 2, order(targetsOf({{51, 500000}}))), frame('I', 1, 2, "\1\63")}) {
     for (const double seconds : kReadingTimes) {
       SCOPED_TRACE(last.substr(0, 1) + ", " + std::to_string(seconds) + " s");

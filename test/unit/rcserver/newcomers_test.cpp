@@ -40,7 +40,7 @@ class NewcomersTest : public Version2Fixture {
   }
 };
 
-TEST_F(NewcomersTest, TakeThePlaceOfAClientAtTheirAddressThatGivesNoSignFor300Milliseconds) {
+TEST_F(NewcomersTest, TakeThePlaceOfASilentClientAtTheirAddressAfter300Ms) {
   answerTo('W', 85, kStreamOn);
   auto back = comeWith(request('X', 2));
   EXPECT_TRUE(isAsked());

@@ -292,7 +292,7 @@ TEST_F(OrdersTest, AreRefusedWhenTheyAreTooOldButForThoseThatStop) {
   EXPECT_THAT(answersTo(7, {'O', 0, old + std::string(1, '\0')}), ElementsAre("o7"));
 }
 
-TEST_F(OrdersTest, ToPlayAreJudgedAgainWhenTheirFilesHaveBeenReadWithFiveSecondsMore) {
+TEST_F(OrdersTest, ToPlayMayBeFiveSecondsOlderWhenTheirFilesHaveBeenRead) {
   for (const bool is_too_old : {false, true}) {
     file_keeper_.slowDown();
     ask(1, {'P', 0, playPayload("HEAD.MTN", 1, clock_.frame() + 12)});

@@ -106,7 +106,7 @@ class TimingTest : public FakeRobotFixture {
   }
 };
 
-TEST_F(TimingTest, AMotionTelemetryAndTheStreamKeepTheirRatesWhileThePictureEncoderIsSlow) {
+TEST_F(TimingTest, ASlowPictureEncoderDelaysNothingElse) {
   const int before = robot_.joint("head_pan").position;
   const int wanted = 1000000;
   std::vector<int>& path = robot_.joint("head_pan").path;

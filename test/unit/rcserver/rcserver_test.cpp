@@ -140,7 +140,7 @@ constexpr unsigned kLongestWay = 500;
 
 class JointsTest : public Version1Fixture {};
 
-TEST_F(JointsTest, GainsOfTheTableGoOnOnlyAfterThePresentPositionsWereCommanded) {
+TEST_F(JointsTest, GainsGoOnOnlyAfterThePresentPositionsWereCommanded) {
   machine_.reset();
   for (FakeRobot::FakeJoint& joint : robot_.joints) {
     joint.gain = false;

@@ -245,7 +245,7 @@ TEST_F(SoundTest, EachSoundEndsOnceInAWayThatIsTold) {
 }
 
 // An attack of docs/security.md.
-TEST_F(SoundTest, PlaysAndHearsAsEverAfterTenThousandBeginningsAndAThousandSwitches) {
+TEST_F(SoundTest, PlaysAndHearsAsEverAfterTenThousandBeginnings) {
   std::string begin;
   std::string switches;
   for (int i = 0; i < 100; ++i) {
@@ -357,7 +357,7 @@ TEST_F(SoundTest, AClientThatReadsLateMissesSoundAndTheRestIsInTime) {
   }
 }
 
-TEST_F(SoundTest, PicturesWaitUntilWhatWasHeardHasBeenSentIfTheClientWantsThat) {
+TEST_F(SoundTest, PicturesWaitForWhatWasHeardIfTheClientWantsThat) {
   for (const auto& [mode, first] : {std::pair<int, char>{MICROPHONE_ON, 'f'}, {MICROPHONE_ON | SOUND_FIRST, 'a'}}) {
     disconnect();
     connectVersion2(2048);

@@ -120,7 +120,7 @@ TEST_F(WalkTest, TellsItsMotorsAndItsPostureFromTheFirstMeasurementOn) {
 }
 
 // While a process is stopped, what the client sends waits. Nobody wants it any more afterwards.
-TEST_F(WalkTest, WhatAClientOfVersion1HasSentToAServerThatWasHeldUpDoesNotMoveTheRobot) {
+TEST_F(WalkTest, WhatWaitedInVersion1WhileTheServerWasHeldUpMovesNothing) {
   disconnect();
   client_ = connectServed();
   for (const int joint : {2, 0}) {  // one of them, and all
@@ -280,7 +280,7 @@ class GuardedWalkTest : public FakeRobotFixture {
   unsigned frames_ = 0;
 };
 
-TEST_F(GuardedWalkTest, HoweverItIsSteeredItNeitherFallsOffATableNorPushesAgainstABoard) {
+TEST_F(GuardedWalkTest, NeitherFallsOffATableNorPushesABoardHoweverItIsSteered) {
   for (unsigned i = 1; i <= (std::getenv("AIBO_WHOLE_CAMPAIGN") != nullptr ? 100 : 6); ++i) {
     drive(i);
     EXPECT_FALSE(walker_->travel().hasFallenOff()) << "drive " << i << ", " << last_end_;

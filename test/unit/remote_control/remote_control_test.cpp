@@ -204,7 +204,7 @@ TEST_F(RemoteControlTest, WhatCannotBeUsedNowIsDisabledAndSaysWhy) {
   }
 }
 
-TEST_F(RemoteControlTest, StopBecomesReleaseWhileTheRobotIsStoppedButNotForASecondClickInFright) {
+TEST_F(RemoteControlTest, StopBecomesReleaseButNotForASecondClickInFright) {
   robot_.connectIt();
   const RobotCondition stopped = conditionOf(Motors::kOn, Posture::kStanding, "/gamepad");
   EXPECT_EQ(click("stop"), QStringList("stop"));
@@ -592,7 +592,7 @@ TEST_F(RemoteControlTest, EachJointHasASliderWithinTheLimitsOfItsRobot) {
   EXPECT_NE(find<JointSlider>("head_tilt")->slider()->maximum(), limit_of_an_ers7);
 }
 
-TEST(JointSliderTest, CommandsItsJointAndFollowsItAgainWhenItHasArrivedOrAfterSomeTime) {
+TEST(JointSliderTest, CommandsItsJointAndFollowsItAgainAfterwards) {
   JointSlider slider({"head_pan", 2, -1.5, 1.5, 3, 3, false}, "pan");
   JointPositions moved;
   QObject::connect(&slider, &JointSlider::moved,

@@ -179,7 +179,7 @@ TEST_F(WalkedVelocityTest, IsThatOfABodyOnFeetThatRoll) {
   EXPECT_NEAR(walked_.Now().turn, 0, 1e-9);
 }
 
-TEST_F(WalkedVelocityTest, WithoutPawsTheLowerPairCountsAndTheLastVelocityWhileThePairsChange) {
+TEST_F(WalkedVelocityTest, WithoutPawsTheLowerPairCounts) {
   Legs legs = swungBy(0);
   legs[robot_model::LEFT_HIND_LEG].knee = legs[robot_model::RIGHT_FRONT_LEG].knee = 1;  // it lifts these two
   report(legs, kNoPaws);

@@ -52,7 +52,7 @@ TEST_F(ConsoleTest, OnePrintShowsItsFirst242Characters) {
   EXPECT_EQ(test_.output.str(), most);
 }
 
-TEST_F(ConsoleTest, AListenerThatDoesNotReadDelaysNothingAndIsToldAboutLostMessages) {
+TEST_F(ConsoleTest, AListenerThatDoesNotReadDelaysNothingAndIsToldOfLosses) {
   TestClient slow(port_, 64 * 1024);  // with a smaller window the kernel may need minutes
   TestClient quick(port_);
   awaitAccepted(slow);
@@ -91,7 +91,7 @@ TEST_F(ConsoleTest, EachTypedLineIsAnsweredToItsListener) {
 }
 
 // The lines after the first would be obeyed.
-TEST_F(ConsoleTest, AListenerWhoseFirstLineIsNoCommandIsDroppedAndNothingOfItIsObeyed) {
+TEST_F(ConsoleTest, NothingIsObeyedOfAListenerWhoseFirstLineIsNoCommand) {
   std::vector<std::string> obeyed;
   test_.on_console_line = [&](const std::string& line) -> std::optional<std::string> {
     if (line != "press pause") {
@@ -116,7 +116,7 @@ TEST_F(ConsoleTest, AListenerWhoseFirstLineIsNoCommandIsDroppedAndNothingOfItIsO
   EXPECT_TRUE(test_.runUntil([&] { return listener.received() == answers; })) << listener.received();
 }
 
-TEST_F(ConsoleTest, TheNinthListenerIsToldThatThereIsNoPlaceUntilAnotherOneLeaves) {
+TEST_F(ConsoleTest, TheNinthListenerHasNoPlaceUntilAnotherOneLeaves) {
   std::vector<std::unique_ptr<TestClient>> listeners;
   for (int i = 0; i < 8; ++i) {
     listeners.push_back(std::make_unique<TestClient>(port_));

@@ -134,7 +134,7 @@ TEST_F(IpStackTest, AListenIsAnsweredWithTheAddressOfTheClient) {
   EXPECT_EQ(addresses_->fPort, client_->port());
 }
 
-TEST_F(IpStackTest, AReceiveIsAnsweredWhenTheMinimumHasArrivedAndTakesAtMostTheMaximum) {
+TEST_F(IpStackTest, AReceiveTakesFromTheMinimumToTheMaximum) {
   const auto endpoint = connect();
   receive(endpoint, 3, 4);
   client_->send("ab");
@@ -289,7 +289,7 @@ class UdpEndpointTest : public EndpointTest {
   std::optional<UDPEndpointReceiveMsg> received_;
 };
 
-TEST_F(UdpEndpointTest, APacketArrivesWithTheAddressOfItsSenderAtAPortThatMayBeAnotherOneOfTheComputer) {
+TEST_F(UdpEndpointTest, APacketArrivesWithItsSenderAtAnyPortOfTheComputer) {
   constexpr Port kPrivileged = 7;  // only root may open it
   const Port host_port = test_.system.ipStack().takePort(kPrivileged, 0);
   const auto server = create();

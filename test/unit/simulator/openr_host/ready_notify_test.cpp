@@ -49,7 +49,7 @@ class ReadyNotifyTest : public testing::Test {
 };
 
 // Level2 Reference Guide, page 27: "max" is 1 unless set, and then only the last notification is held.
-TEST_F(ReadyNotifyTest, OneAssertReadyLetsOneNotificationThroughAndTheNewestOfTheOthersIsKept) {
+TEST_F(ReadyNotifyTest, OneAssertReadyLetsOneThroughAndTheNewestOtherIsKept) {
   boot();
   assertReady(receiver_);
   notify("first");

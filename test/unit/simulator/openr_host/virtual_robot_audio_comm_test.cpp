@@ -105,7 +105,7 @@ TEST_F(VirtualRobotAudioCommTest, ReadyFollowsTheOutputOfEachVectorAndTwoAtFirst
   EXPECT_FALSE(gate_.isActive());
 }
 
-TEST_F(VirtualRobotAudioCommTest, WhatTheSpeakerDoesNotPlayIsRefusedWithAReasonAndReadyComesInTheNextFrame) {
+TEST_F(VirtualRobotAudioCommTest, WhatTheSpeakerDoesNotPlayIsRefusedInTheNextFrame) {
   const std::string other_kind = "it is not PCM, mono, of the rate and bits for which the speaker is set";
   const std::string outside = "its data is empty, or outside of its region";
   const std::vector<std::pair<std::string, std::function<void(OSoundVectorData&)>>> rows = {

@@ -66,7 +66,7 @@ class VirtualRobotCommTest : public GateTest<VirtualRobotComm> {
   int readies_ = 0;
 };
 
-TEST_F(VirtualRobotCommTest, AVectorIsPlayedOneValueAFrameAndLastsAsLongAsItsLongestEntry) {
+TEST_F(VirtualRobotCommTest, AVectorIsPlayedOneValueAFrameToItsLongestEntrysEnd) {
   send({makeVector({{1, {10}}, {2, {7, 8, 9}}})});
   pass(5);
   EXPECT_THAT(robot_.commanded, ElementsAre(Pair(100, ElementsAre(Pair(1, 10), Pair(2, 7))),
