@@ -4,6 +4,9 @@
 #include "protocol/walk_requests.h"
 #include "robot_model/legs.h"
 
+/// Change of a walk's velocity in a second, relative to the highest velocity. Our choice, which all joints can follow.
+const double SPEED_CHANGE = 1;
+
 struct StepParameters {
   double period;  ///< s; in this time, each foot makes one step
 

@@ -7,9 +7,6 @@
 #include "robot_model/head.h"
 #include "robot_model/legs.h"
 
-/// Change of a walk's velocity in a second, relative to the highest velocity. Our choice, which all joints can follow.
-const double SPEED_CHANGE = 1;
-
 /// Decides from the distance sensors, the paws and the way walked whether the robot may walk on.
 ///
 /// - The chest sensor looks at the floor ahead. If the floor is much farther away than the legs put it, there is an

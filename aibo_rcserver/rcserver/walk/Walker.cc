@@ -1,6 +1,5 @@
 #include "rcserver/walk/Walker.h"
 
-#include <math.h>
 #include <stdio.h>
 
 #include <algorithm>
@@ -9,8 +8,6 @@ using namespace protocol::version2;
 using namespace robot_model;
 
 namespace {
-
-const double FRAME = FRAME_MILLISECONDS * 1e-3;  // s
 
 // Frames until joints have followed commands, which are up to 8 frames ahead, and servos lag. Our choice.
 const unsigned FRAMES_TO_FOLLOW = 25;
@@ -21,30 +18,6 @@ const unsigned FRAMES_TO_SOFTEN = 125;
 // Frames until the joints of a robot that has rolled over have followed, and its body lies still. Our choice.
 const int FRAMES_TO_SETTLE = 45;
 
-// How fast the correction of the velocity grows with what is missing, in 1/s, and the time in s over which the missing
-// velocity is smoothed. With this choice, a lasting error of the legs is made up for within a step, and the swaying of
-// a step has little effect.
-const double CORRECTION_RATE = 3;
-const double SMOOTHING = 0.25;
-
-// Largest correction, as a share of the highest velocity. Our choice.
-const double CORRECTION_LIMIT = 0.3;
-
-// In s, from the planned to the measured motion of the legs: commands wait for up to 8 frames, and servos lag by 3.
-const double DELAY = 0.09;
-
-// The feet go to the side to which the robot leans more than it should: by this many metres for each radian, within
-// this time in s, and at most this far. Found with the bench: the robot rocks the least.
-const double BALANCE = 0.24;
-const double BALANCE_TIME = 0.8;
-const double BALANCE_LIMIT = 0.015;
-
-// In m; if the feet have been shifted by more than this, the ground slopes by 3 degrees or more, and a robot that walks
-// too fast to trot may fall.
-const double STEEP = 0.0125;
-
-const double GRAVITY = 9.81;  // m/s^2
-
 const Velocity NO_VELOCITY = {0, 0, 0};
 
 const EndReason DONE = {END_DONE, "", ""};
@@ -52,38 +25,6 @@ const EndReason POSTURE_BEGAN = {END_REPLACED, "the robot was told to take a pos
 const EndReason WALK_BEGAN = {END_REPLACED, "the robot was told to walk", ""};
 const EndReason NOT_STEERED = {END_STOPPED, "it was not steered for 500 ms", ""};  // STEERING_TIMEOUT_MS
 const EndReason CLIENT_GONE = {END_STOPPED, "the client is gone", ""};
-
-double Towards(double value, double target, double step) {
-  return value + std::min(std::max(target - value, -step), step);
-}
-
-// A value that follows another value with a delay of this time.
-double Following(double value, double target, double time, double seconds) {
-  return value + (target - value) * seconds / (time + seconds);
-}
-
-double Corrected(double correction, double missing, double highest) {
-  const double limit = CORRECTION_LIMIT * highest;
-  return std::min(std::max(correction + CORRECTION_RATE * missing * FRAME, -limit), limit);
-}
-
-double Balanced(double shift, double lean) {
-  const double next = Following(shift, BALANCE * lean, BALANCE_TIME, FRAME);
-  return std::min(std::max(next, -BALANCE_LIMIT), BALANCE_LIMIT);
-}
-
-Velocity Following(const Velocity& value, const Velocity& target, double time, double seconds) {
-  const Velocity result = {Following(value.forward, target.forward, time, seconds),
-                           Following(value.left, target.left, time, seconds),
-                           Following(value.turn, target.turn, time, seconds)};
-  return result;
-}
-
-Velocity Towards(const Velocity& value, const Velocity& target, const Velocity& step) {
-  const Velocity result = {Towards(value.forward, target.forward, step.forward),
-                           Towards(value.left, target.left, step.left), Towards(value.turn, target.turn, step.turn)};
-  return result;
-}
 
 }  // namespace
 
@@ -96,6 +37,7 @@ Walker::Walker(JointPlanner& planner, const RobotModel& robot, OrderBook& orders
     : planner_(planner),
       robot_(robot),
       postures_(gait_),
+      pace_(gait_),
       guard_(gait_),
       orders_(orders),
       legs_(planner, robot),
@@ -265,11 +207,10 @@ void Walker::Measured(const FallWatch::Reading& reading, const int* positions, u
     Brake(reason);
   }
   if (activity_ == WALKING) {
-    const unsigned frames = walked_.Measured(legs, reading.paws, frame, gait_.UnseenWay(walk_.pace.velocity));
-    CompareVelocity(frames);
-    FeelLean(reading, frames);
+    const unsigned frames = walked_.Measured(legs, reading.paws, frame, gait_.UnseenWay(pace_.Commanded()));
+    pace_.Measured(walked_.Now(), reading, frames);
     if (walk_.is_guarded) {
-      guard_.HaveWalked(walked_.Now(), walk_.pace.velocity, frames);
+      guard_.HaveWalked(walked_.Now(), pace_.Commanded(), frames);
     }
   }
   goes_soft_ = has_legs_ && !route_.gets_up && lies && fall_watch_.Duration(frame) >= FRAMES_TO_SOFTEN;
@@ -291,12 +232,12 @@ void Walker::HaveLooked(const WalkGuard::Reading& reading) {
     guard_.Forget();
     return;
   }
-  const StepParameters step = gait_.StepAt(walk_.pace.velocity);
-  guard_.Look(reading, legs, walk_.pace.phase, activity_ == WALKING ? &step : NULL);
+  const StepParameters step = gait_.StepAt(pace_.Commanded());
+  guard_.Look(reading, legs, pace_.Phase(), activity_ == WALKING ? &step : NULL);
   if (activity_ != WALKING || walk_.ends) {
     return;
   }
-  const char* objection = guard_.Objection(walk_.pace.velocity);
+  const char* objection = guard_.Objection(pace_.Commanded());
   objection = objection == NULL ? guard_.Objection(walk_.wanted) : objection;
   if (objection != NULL) {
     const EndReason reason = {END_REFUSED, objection, ""};
@@ -358,7 +299,7 @@ void Walker::Begin(Posture posture) {
   posture_ = posture;
   route_ = Route();
   route_.gets_up = HasFallen();
-  walk_.pace = Pace();
+  pace_.Begin();
   PlanRoute(false);
   BeginNextStage();
 }
@@ -433,83 +374,21 @@ void Walker::EndWalkInStand(const EndReason& reason) {
 }
 
 void Walker::Walk() {
-  ChangeVelocity();
-  const bool stops = walk_.ends && walk_.pace.velocity.isZero() && walk_.pace.correction.isZero();
-  if (stops && walk_.pace.effort == 0) {
-    if (HasNext()) {
-      const Posture next = walk_.next;
-      walk_.next = POSTURE_UNKNOWN;
-      Begin(next);
-    } else {
-      Finish(walk_.end_reason);
-    }
-    return;
-  }
-  const Velocity sum = {walk_.pace.velocity.forward + walk_.pace.correction.forward,
-                        walk_.pace.velocity.left + walk_.pace.correction.left,
-                        walk_.pace.velocity.turn + walk_.pace.correction.turn};
-  const Velocity velocity = gait_.LimitedForLegs(sum, walk_.pace.velocity.forward);
-  const double period = gait_.StepAt(velocity).period;
-  walk_.pace.effort = Towards(walk_.pace.effort, stops ? 0 : 1, FRAME / (period / 2));
-  walk_.pace.phase += FRAME / period;
-  walk_.pace.phase -= floor(walk_.pace.phase);
-  walk_.pace.shift.x = Balanced(walk_.pace.shift.x, walk_.pace.lean.x);
-  walk_.pace.shift.y = Balanced(walk_.pace.shift.y, walk_.pace.lean.y);
-  SetFeet(velocity);
-}
-
-void Walker::ChangeVelocity() {
-  const WalkLimits& limits = gait_.Parameters().highest;
   Velocity target = walk_.ends ? NO_VELOCITY : walk_.wanted;
   if (walk_.is_guarded) {
     target.forward = std::min(target.forward, guard_.HighestForward());
   }
-  if (std::max(fabs(walk_.pace.shift.x), fabs(walk_.pace.shift.y)) > STEEP) {
-    target.forward = std::min(target.forward, limits.forward);
-  }
-  const bool is_back = walk_.pace.velocity.forward < 0 || (walk_.pace.velocity.forward == 0 && target.forward < 0);
-  const double step = SPEED_CHANGE * FRAME;
-  const Velocity most = {step * (is_back ? limits.back : limits.forward), step * limits.left, step * limits.turn};
-  walk_.pace.velocity = gait_.LimitedInWalk(Towards(walk_.pace.velocity, target, most));
-  if (walk_.ends) {
-    walk_.pace.correction = Towards(walk_.pace.correction, NO_VELOCITY, most);
-  } else {
-    CorrectVelocity();
-  }
-}
-
-// Corrects the velocity a little in each frame, because a foot must not jump.
-void Walker::CorrectVelocity() {
-  const WalkLimits& limits = gait_.Parameters().highest;
-  walk_.pace.correction.forward = Corrected(walk_.pace.correction.forward, walk_.pace.missing.forward, limits.forward);
-  walk_.pace.correction.left = Corrected(walk_.pace.correction.left, walk_.pace.missing.left, limits.left);
-  walk_.pace.correction.turn = Corrected(walk_.pace.correction.turn, walk_.pace.missing.turn, limits.turn);
-}
-
-// Compares the measured velocity with the commanded one, which the legs follow with a delay.
-void Walker::CompareVelocity(unsigned frames) {
-  const double seconds = frames * FRAME;
-  const Velocity& now = walked_.Now();
-  walk_.pace.expected = Following(walk_.pace.expected, walk_.pace.velocity, DELAY, seconds);
-  const Velocity missing = {walk_.pace.expected.forward - now.forward, walk_.pace.expected.left - now.left,
-                            walk_.pace.expected.turn - now.turn};
-  walk_.pace.missing = Following(walk_.pace.missing, missing, SMOOTHING, seconds);
-}
-
-// Averages the accelerometer, which shows gravity only on average, because each foot that touches down shakes the body.
-void Walker::FeelLean(const FallWatch::Reading& reading, unsigned frames) {
-  if (reading.up > 0) {  // without an accelerometer, it is 0
-    const double ahead = -reading.forward / GRAVITY - gait_.NoseDown(walk_.pace.velocity);
-    walk_.pace.lean.x = Following(walk_.pace.lean.x, ahead, SMOOTHING, frames * FRAME);
-    walk_.pace.lean.y = Following(walk_.pace.lean.y, -reading.left / GRAVITY, SMOOTHING, frames * FRAME);
-  }
-}
-
-void Walker::SetFeet(const Velocity& velocity) {
   LegAngles legs[NUMBER_OF_LEGS];
-  gait_.FindPosture(walk_.pace.phase, velocity, walk_.pace.effort, legs, walk_.pace.shift);
-  legs_.Aim(legs);
-  planner_.Follow();
+  if (pace_.NextFrame(target, walk_.ends, legs)) {
+    legs_.Aim(legs);
+    planner_.Follow();
+  } else if (HasNext()) {
+    const Posture next = walk_.next;
+    walk_.next = POSTURE_UNKNOWN;
+    Begin(next);
+  } else {
+    Finish(walk_.end_reason);
+  }
 }
 
 void Walker::Finish(const EndReason& reason) {

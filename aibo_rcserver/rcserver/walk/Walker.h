@@ -11,6 +11,7 @@
 #include "rcserver/walk/LegJoints.h"
 #include "rcserver/walk/Postures.h"
 #include "rcserver/walk/WalkGuard.h"
+#include "rcserver/walk/WalkPace.h"
 #include "rcserver/walk/WalkedVelocity.h"
 #include "robot_model/robot_model.h"
 
@@ -18,12 +19,8 @@
 /// two at a time. It does not move head, tail and mouth, except that it levels the head while the robot lies down to
 /// rest or gets up.
 ///
-/// A walk begins and ends in the stand. From any other posture, the robot first rises slowly. The velocity can change
-/// by the highest velocity in a second. A walk that is not steered for STEERING_TIMEOUT_MS ends.
-///
-/// Motors lag and yield, so the legs walk at a different velocity from the one commanded. This velocity is measured,
-/// and the command is made faster, slower or more to one side until the measured velocity is the wanted one. The
-/// accelerometer tells to which side the robot leans, and the feet are placed nearer to that side.
+/// A walk begins and ends in the stand. From any other posture, the robot first rises slowly. A walk that is not
+/// steered for STEERING_TIMEOUT_MS ends.
 ///
 /// A robot that lies on a side or its back can take no posture but the stand: it rolls onto its belly first. If a joint
 /// cannot follow on the route to a posture, the joint yields, and the robot tries another route.
@@ -148,7 +145,7 @@ class Walker {
 
   // The state for telemetry.
   protocol::version2::WalkState State() const;
-  double Phase() const { return activity_ == WALKING ? walk_.pace.phase : 0; }
+  double Phase() const { return activity_ == WALKING ? pace_.Phase() : 0; }
 
   /// The average velocity since the last call (WalkedVelocity::Take()).
   protocol::version2::Velocity TakeVelocity() { return walked_.Take(activity_ == WALKING); }
@@ -160,18 +157,6 @@ class Walker {
     WALKING,
     RESTING,    ///< the robot has lain down to rest, and waits until the joints have followed
     HAS_RESTED  ///< the joints have followed
-  };
-
-  /// How the robot walks now. A walk begins with Pace(), which is all 0.
-  struct Pace {
-    protocol::version2::Velocity velocity;
-    protocol::version2::Velocity expected;    ///< what should be measured now
-    protocol::version2::Velocity missing;     ///< the part of it that is not measured, smoothed
-    protocol::version2::Velocity correction;  ///< added to `velocity`, so that `velocity` is measured
-    robot_model::Point lean;                  ///< radian; to the front and to the left, beyond what should be, smoothed
-    robot_model::Point shift;                 ///< how far the feet are shifted to where the robot leans
-    double effort;
-    double phase;
   };
 
   /// The route to a posture or, if the robot rolls, onto the belly.
@@ -193,7 +178,6 @@ class Walker {
     EndReason end_reason;
     protocol::version2::Posture next;  ///< the posture that follows the walk, and is the order; POSTURE_UNKNOWN if none
     protocol::version2::Velocity wanted;
-    Pace pace;
     int frames_since_steered;
   };
 
@@ -210,11 +194,6 @@ class Walker {
   bool HaveArrived();
   void EndWalkInStand(const EndReason& reason);
   void Walk();
-  void ChangeVelocity();
-  void CompareVelocity(unsigned frames);
-  void CorrectVelocity();
-  void FeelLean(const FallWatch::Reading& reading, unsigned frames);
-  void SetFeet(const protocol::version2::Velocity& velocity);
   void Finish(const EndReason& reason);
 
   JointPlanner& planner_;
@@ -222,6 +201,7 @@ class Walker {
   const Gait gait_;
   const Postures postures_;
   WalkedVelocity walked_;
+  WalkPace pace_;
   WalkGuard guard_;
   FallWatch fall_watch_;
   OrderBook& orders_;
