@@ -70,15 +70,18 @@ void JointControl::Take(protocol::version2::Posture posture, unsigned short numb
   walker_.Take(posture, number);
 }
 
-void JointControl::MotionHasBegun() {
-  for (int i = 0; i < NumberOfJoints(); ++i) {
-    if (motions_.NewestMoves(i)) {
+const char* JointControl::Play(const protocol::MotionName& name, size_t size, int repetitions, bool leave_out,
+                               unsigned short number) {
+  const char* const problem = motions_.Play(name, size, repetitions, leave_out, ordered_, number);
+  for (int i = 0; problem == NULL && i < NumberOfJoints(); ++i) {
+    if (motions_.Moves(i)) {  // nothing else has the joints of earlier motions
       const EndReason reason = EndReason::Of(END_REPLACED, "a motion moves %s", Name(i));
       commands_.Leave(i, reason);
       walker_.LeaveAlone(i);
       TakeFromWalker(i, reason);
     }
   }
+  return problem;
 }
 
 void JointControl::MotorsGoOff() {

@@ -62,18 +62,17 @@ class JointControl {
                                      unsigned short number = 0);
   void Take(protocol::version2::Posture posture, unsigned short number = 0);
 
-  /// Call this when a motion has begun. Commands to its joints end, and so does a walk or a posture if legs move.
-  void MotionHasBegun();
+  /// Begins to play the file in MotionPlayer::FindRoom(). Commands to its joints end, and so does a walk or a posture
+  /// if legs move. The motion is refused if an order has taken one of its joints, or a hold has named one, since
+  /// ForgetOrders(). The parameters and the result are those of MotionPlayer::Play().
+  const char* Play(const protocol::MotionName& name, size_t size, int repetitions, bool leave_out,
+                   unsigned short number);
 
   /// Call this when the motors are being switched off. All orders end.
   void MotorsGoOff();
 
   /// Call this when a motion is requested whose file has yet to be read.
   void ForgetOrders();
-
-  /// For each joint, true if an order has taken it, or a hold has named it, since ForgetOrders(). The motion that was
-  /// requested then must not move such a joint.
-  const bool* Ordered() const { return ordered_; }
 
   /// Advances by one frame. Afterwards, the planner's positions are those at the frame's end.
   void NextFrame();
@@ -136,7 +135,7 @@ class JointControl {
   JointWatch::Verdict faults_[robot_model::MAX_JOINTS];
   JointRecovery recoveries_[robot_model::MAX_JOINTS];
   bool has_recovered_[robot_model::MAX_JOINTS];
-  bool ordered_[robot_model::MAX_JOINTS];
+  bool ordered_[robot_model::MAX_JOINTS];  ///< taken by an order, or named by a hold, since ForgetOrders()
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_CONTROL_H

@@ -17,7 +17,7 @@ const int MotionPlayer::MAX_PLAYING;
 const size_t MotionPlayer::MAX_PROBLEM_SIZE;
 
 MotionPlayer::MotionPlayer(JointPlanner& planner, const robot_model::RobotModel& robot, OrderBook& orders)
-    : planner_(planner), robot_(robot), orders_(orders), newest_(NULL) {
+    : planner_(planner), robot_(robot), orders_(orders) {
   problem_[0] = '\0';
   changes_[0] = '\0';
 }
@@ -39,7 +39,6 @@ const char* MotionPlayer::Play(const protocol::MotionName& name, size_t size, in
   }
   motion.DescribeChanges(planner_, changes_);
   motion.Start(repetitions, orders_.Begin(ENDED_MOTION, number, name));
-  newest_ = &motion;
   return NULL;
 }
 

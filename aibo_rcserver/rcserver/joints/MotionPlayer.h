@@ -52,9 +52,6 @@ class MotionPlayer {
   bool IsPlaying() const;
   bool Moves(int joint) const { return FindMoving(joint) < MAX_PLAYING; }
 
-  /// True if the motion that Play() began last moves this joint.
-  bool NewestMoves(int joint) const { return newest_ != NULL && newest_->Moves(joint); }
-
   /// True once for each time that a motion makes this ear flick. Call this in each frame, or every few frames. Several
   /// motions may move the same ear.
   /// @param ear the ear's index in the robot's table
@@ -77,7 +74,6 @@ class MotionPlayer {
   const robot_model::RobotModel& robot_;
   OrderBook& orders_;
   PlayedMotion motions_[MAX_PLAYING];
-  const PlayedMotion* newest_;  ///< the motion that has begun last; NULL if none has
   char problem_[MAX_PROBLEM_SIZE];
   char changes_[mtn::FittedMotion::MAX_DESCRIPTION_SIZE];
 };

@@ -122,13 +122,9 @@ FileOrder::Outcome FileOrder::BeginToPlay(const FileResult& result) {
   if (CheckPlay() != DONE) {
     return REFUSED;
   }
-  MotionPlayer& player = joints_.Motions();
-  memcpy(player.FindRoom(), result.content, result.size);
-  if (const char* problem = player.Play(name_, result.size, repetitions_, leave_out_, joints_.Ordered(), number_)) {
-    return Fail(REFUSED, "%s", problem);
-  }
-  joints_.MotionHasBegun();
-  return DONE;
+  memcpy(joints_.Motions().FindRoom(), result.content, result.size);
+  const char* const problem = joints_.Play(name_, result.size, repetitions_, leave_out_, number_);
+  return problem == NULL ? DONE : Fail(REFUSED, "%s", problem);
 }
 
 FileOrder::Outcome FileOrder::FailOnMemoryStick() {

@@ -190,7 +190,7 @@ bool MoveRequests::HasJoint(int identifier) {
   return true;
 }
 
-// If a motion moves one of these joints and its file has not been read yet, it is refused: see JointControl::Ordered().
+// If a motion moves one of these joints and its file has not been read yet, it is refused: see JointControl::Play().
 void MoveRequests::HoldJoints() {
   JointIds named;
   if (!exchange_.Decode(&named)) {

@@ -122,8 +122,8 @@ struct WalkingRobot {
     ASSERT_EQ(protocol::readMotionName(name.data(), name.size(), motion_name), nullptr);
     const std::string motion = motionBytes(key_frames);
     motion.copy(reinterpret_cast<char*>(joints.Motions().FindRoom()), motion.size());
-    ASSERT_EQ(joints.Motions().Play(motion_name, motion.size(), 1000, false, nullptr, 1), nullptr);
-    joints.MotionHasBegun();
+    joints.ForgetOrders();
+    ASSERT_EQ(joints.Play(motion_name, motion.size(), 1000, false, 1), nullptr);
   }
   void take(Posture posture) {
     joints.Take(posture);
