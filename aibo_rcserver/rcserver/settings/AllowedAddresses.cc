@@ -51,7 +51,6 @@ const int AllowedAddresses::MAX_RANGES;
 const size_t AllowedAddresses::ENTRY_TEXT_SIZE;
 
 void AllowedAddresses::AllowOnlyThisComputer() {
-  is_any_ = false;
   ranges_[0].address = LOOPBACK;
   ranges_[0].bits = ALL_BITS;
   number_of_ranges_ = 1;
@@ -59,9 +58,9 @@ void AllowedAddresses::AllowOnlyThisComputer() {
 
 const char* AllowedAddresses::Read(const char* list) {
   AllowedAddresses read;
-  read.is_any_ = strcmp(list, "ANY") == 0;
+  const bool is_any = strcmp(list, "ANY") == 0;
   const char* text = SkipSpaces(list);
-  while (!read.is_any_) {
+  while (!is_any) {
     if (read.number_of_ranges_ == MAX_RANGES) {
       return "it has more than 32 entries";
     }
@@ -83,7 +82,7 @@ const char* AllowedAddresses::Read(const char* list) {
 }
 
 bool AllowedAddresses::Allow(unsigned address) const {
-  bool is_allowed = is_any_;
+  bool is_allowed = IsAny();
   for (int i = 0; i < number_of_ranges_; ++i) {
     is_allowed = is_allowed || (address & MaskOf(ranges_[i].bits)) == ranges_[i].address;
   }

@@ -9,7 +9,7 @@ class AllowedAddresses {
   static const int MAX_RANGES = 32;
 
   /// At first, the list allows any address.
-  AllowedAddresses() : is_any_(true), number_of_ranges_(0) {}
+  AllowedAddresses() : number_of_ranges_(0) {}
 
   void AllowOnlyThisComputer();
 
@@ -21,7 +21,7 @@ class AllowedAddresses {
 
   bool Allow(unsigned address) const;
 
-  bool IsAny() const { return is_any_; }
+  bool IsAny() const { return number_of_ranges_ == 0; }
 
   /// The number of entries in the list; 0 if any address is allowed.
   int NumberOfEntries() const { return number_of_ranges_; }
@@ -42,9 +42,8 @@ class AllowedAddresses {
 
   static const char* ReadRange(const char** text, Range* range);
 
-  bool is_any_;
   Range ranges_[MAX_RANGES];
-  int number_of_ranges_;
+  int number_of_ranges_;  ///< 0: any address is allowed
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_SETTINGS_ALLOWED_ADDRESSES_H
