@@ -11,9 +11,8 @@ const char* PowerDown::Observe(const OServiceEntry& entry) {
   wanted.Set(orsbPAUSE | orsbBATTERY_CAPACITY_LOW | orsbBATTERY_CHARGING, 0, opsoREMAINING_CAPACITY_NOT_NOTIFY,
              opsoTEMPERATURE_NOT_NOTIFY, opsoTIME_DIF_NOT_NOTIFY, opsoVOLUME_NOT_NOTIFY);
   const OStatus status = OPENR::ObservePowerStatus(wanted, entry);
-  is_observing_ = status == oSUCCESS;
   entry_ = entry;
-  if (!is_observing_) {
+  if (status != oSUCCESS) {
     OSYSLOG1((osyslogERROR, "RCServer: neither the pause button nor a low battery switches the robot off (status %u)",
               static_cast<unsigned>(status)));
   }
@@ -25,11 +24,9 @@ const char* PowerDown::Observe(const OServiceEntry& entry) {
   return Look(now);
 }
 
+// If the status is not observed, OPEN-R refuses, which does no harm.
 void PowerDown::Unobserve() {
-  if (is_observing_) {
-    OPENR::UnobservePowerStatus(entry_);
-    is_observing_ = false;
-  }
+  OPENR::UnobservePowerStatus(entry_);
 }
 
 const char* PowerDown::Look(const OPowerStatus& status) {

@@ -29,7 +29,6 @@ class PowerDown {
   explicit PowerDown(const FileDesk& files)
       : files_(files),
         body_(NULL),
-        is_observing_(false),
         was_pressed_(false),
         was_low_(false),
         order_(POWER_STAYS_ON),
@@ -76,7 +75,6 @@ class PowerDown {
   const FileDesk& files_;
   Body* body_;
   OServiceEntry entry_;
-  bool is_observing_;
   bool was_pressed_;
   bool was_low_;
   PowerOrder order_;
