@@ -36,6 +36,12 @@ Opening::Verdict Opening::verdict() const {
   return is_of_letters_ || ends_with_space_ || size_ > FILE_REQUEST_SIZE ? UNCLEAR : CLIENT;
 }
 
+bool Opening::isStrangers(const unsigned char* bytes, size_t size) {
+  Opening opening;
+  opening.add(bytes, size);
+  return opening.verdict() == STRANGER;
+}
+
 // A space as the second byte of a request proves nothing: "F " asks for a picture of quality 32.
 void Opening::take(unsigned char byte) {
   const bool is_second = size_ % 2 == 1;

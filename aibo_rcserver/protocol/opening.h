@@ -37,6 +37,9 @@ class Opening {
 
   Verdict verdict() const;
 
+  /// True if the connection that begins with these bytes is a stranger's.
+  static bool isStrangers(const unsigned char* bytes, size_t size);
+
  private:
   void take(unsigned char byte);
   void decide(bool is_stranger);

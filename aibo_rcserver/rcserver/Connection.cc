@@ -128,6 +128,19 @@ bool Connection::Receive() {
   return client_.receiving;
 }
 
+const char* Connection::ReasonOf(TCPEndpointError error) {
+  switch (error) {
+    case TCP_CONNECTION_CLOSED:
+      return "it closed the connection";
+    case TCP_CONNECTION_RESET:
+      return "it reset the connection";
+    case TCP_CONNECTION_TIMEOUT:
+      return "it cannot be reached";
+    default:
+      return "the IPStack failed";
+  }
+}
+
 void Connection::Received(size_t size) {
   client_.receiving = false;
   client_.last_bytes = now_;

@@ -88,6 +88,9 @@ class Connection {
   /// @return false if the IPStack refuses
   bool Receive();
 
+  /// Why a send or a receive has failed, in words for the console.
+  static const char* ReasonOf(TCPEndpointError error);
+
   void Received(size_t size);
   const byte* ReceivedBytes() const { return ReceiveBuffer() + client_.received_begin; }
   size_t ReceivedSize() const { return client_.received_end - client_.received_begin; }

@@ -17,29 +17,10 @@ namespace {
 
 const longword FRAMES_PER_SECOND = 125;  // of 8 ms
 
-bool IsStranger(const byte* bytes, size_t size) {
-  protocol::Opening opening;
-  opening.add(bytes, size);
-  return opening.verdict() == protocol::Opening::STRANGER;
-}
-
 // OPEN-R passes event data as const, but its own classes need a non-const pointer. The data is not modified.
 template <typename Vector>
 Vector* VectorOf(const ONotifyEvent& event, int number = 0) {
   return static_cast<Vector*>(const_cast<void*>(event.Data(number)));
-}
-
-const char* ReasonOf(TCPEndpointError error) {
-  switch (error) {
-    case TCP_CONNECTION_CLOSED:
-      return "it closed the connection";
-    case TCP_CONNECTION_RESET:
-      return "it reset the connection";
-    case TCP_CONNECTION_TIMEOUT:
-      return "it cannot be reached";
-    default:
-      return "the IPStack failed";
-  }
 }
 
 }  // namespace
@@ -234,7 +215,7 @@ void RCServer::SendCont(ANTENVMSG msg) {
     return;
   }
   if (answer->error != TCP_SUCCESS) {
-    DropClient(ReasonOf(answer->error), true);
+    DropClient(Connection::ReasonOf(answer->error), true);
     return;
   }
   if (!client_->Sent()) {
@@ -257,7 +238,7 @@ void RCServer::ReceiveCont(ANTENVMSG msg) {
   }
   if (answer->error != TCP_SUCCESS) {
     // If the client has closed in an orderly way, the connection is closed in the same way, which takes no time.
-    DropClient(ReasonOf(answer->error), answer->error != TCP_CONNECTION_CLOSED);
+    DropClient(Connection::ReasonOf(answer->error), answer->error != TCP_CONNECTION_CLOSED);
     return;
   }
   client_->Received(static_cast<size_t>(answer->sizeMin));
@@ -413,7 +394,7 @@ void RCServer::NewcomerReceived(const TCPEndpointReceiveMsg& answer) {
     return;
   }
   newcomer_->Received(static_cast<size_t>(answer.sizeMin));
-  if (IsStranger(newcomer_->ReceivedBytes(), newcomer_->ReceivedSize())) {
+  if (protocol::Opening::isStrangers(newcomer_->ReceivedBytes(), newcomer_->ReceivedSize())) {
     AbortStranger(newcomer_);
   } else {
     CheckNewcomer();
