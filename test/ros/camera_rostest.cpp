@@ -165,17 +165,17 @@ TEST(Calibration, IsTheNominalOneUntilOneIsStoredAndTheLogSaysWhich) {
   const CameraInfo nominal = user.next();
   EXPECT_EQ(nominal.width, 208u);
   EXPECT_NEAR(nominal.P[0], 191.9, 0.1);
-  EXPECT_NO_THROW(user.driver().waitForOutput("camera_info holds the nominal calibration", kSafetyNet));
+  EXPECT_NO_THROW(user.driver().waitForOutput("camera_info holds the nominal calibration"));
 
   const auto answer = user.set(goodCalibration());
   EXPECT_TRUE(answer.success) << answer.status_message;
   EXPECT_THAT(answer.status_message, HasSubstr(user.file()));
-  EXPECT_NO_THROW(user.driver().waitForOutput("208x160 is stored in " + user.file(), kSafetyNet));
+  EXPECT_NO_THROW(user.driver().waitForOutput("208x160 is stored in " + user.file()));
   EXPECT_EQ(user.next().K, goodCalibration().K);
 
   user.restart();
   EXPECT_EQ(user.next().K, goodCalibration().K);
-  EXPECT_NO_THROW(user.driver().waitForOutput("calibration is that in " + user.file(), kSafetyNet));
+  EXPECT_NO_THROW(user.driver().waitForOutput("calibration is that in " + user.file()));
 }
 
 TEST(Calibration, ThatCannotBelongToTheCameraIsRefusedAndNotPublished) {
@@ -197,7 +197,7 @@ TEST(Calibration, ThatCannotBelongToTheCameraIsRefusedAndNotPublished) {
   std::ofstream(user.file()) << text;
   user.restart();
   EXPECT_NEAR(user.next().K[0], 191.9, 0.1) << "the nominal one";
-  EXPECT_NO_THROW(user.driver().waitForOutput("is for pictures of 200x160, but the robot sends", kSafetyNet));
+  EXPECT_NO_THROW(user.driver().waitForOutput("is for pictures of 200x160, but the robot sends"));
 }
 
 TEST(Camera, StateIsToldForTheFirstPictureOfEachConnection) {

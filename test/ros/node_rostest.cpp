@@ -234,7 +234,7 @@ TEST(Node, EndsWithAnErrorThatSaysWhatIsWrongWithAParameter) {
   };
   for (const auto& [parameter, problem] : rows) {
     DriverProcess driver("/wrong", 54321, {parameter});
-    driver.waitForOutput(problem, kSafetyNet);
+    driver.waitForOutput(problem);
     EXPECT_EQ(driver.waitForExit(kSafetyNet), EXIT_FAILURE) << parameter;
     ros::param::del("/wrong");
   }
@@ -246,7 +246,7 @@ TEST(Node, WarnsOfWhatMayBeAMistake) {
   for (const char* warning : {"WARN.*camera_info_url names /nowhere/x.yaml, but there is no such file",
                               "WARN.*The driver has no parameter /doubtful/aibo_driver/jpg_quality, and ignores it",
                               "192\\.0\\.2\\.1, which is not an address of this computer.*ROS_IP"}) {
-    EXPECT_NO_THROW(driver.waitForOutput(warning, kSafetyNet)) << warning;
+    EXPECT_NO_THROW(driver.waitForOutput(warning)) << warning;
   }
 }
 
@@ -284,12 +284,12 @@ TEST(Node, ASecondDriverInANamespaceRefusesToStartAndNamesTheFirst) {
   const auto is_refused = [&robot](const char* name, const std::string& reason) {
     DriverProcess driver("/one", robot.port(), {std::string("__name:=") + name});
     EXPECT_EQ(driver.waitForExit(kSafetyNet), 1);
-    EXPECT_NO_THROW(driver.waitForOutput(reason, kSafetyNet));
+    EXPECT_NO_THROW(driver.waitForOutput(reason));
   };
   const std::string taken = "a driver in the namespace /one already: the node /one/";
   is_refused("second", taken + "aibo_driver");
   Process nodelet(nodeletHost({"standalone", "aibo_driver/AiboDriverNodelet", "__ns:=/one", "__name:=third"}));
-  EXPECT_NO_THROW(nodelet.waitForOutput(taken + "aibo_driver", kSafetyNet));
+  EXPECT_NO_THROW(nodelet.waitForOutput(taken + "aibo_driver"));
   EXPECT_THAT(nodesOf(kPublishes, "/one/connection"), ::testing::ElementsAre("/one/aibo_driver"));
 
   first.signal(SIGSTOP);
@@ -313,7 +313,7 @@ TEST(Node, StartsWhereAnotherNodeHasTheAddressOfADriverThatWasKilled) {
 
 TEST(Nodelet, WithABadParameterIsNotLoadedAndSaysWhy) {
   Process nodelet(nodeletHost({"standalone", "aibo_driver/AiboDriverNodelet", "__ns:=/bad_nodelet", "_port:=0"}));
-  EXPECT_NO_THROW(nodelet.waitForOutput("port is 0; it must be a whole number, 1\\.\\.65535", kSafetyNet));
+  EXPECT_NO_THROW(nodelet.waitForOutput("port is 0; it must be a whole number, 1\\.\\.65535"));
 }
 
 // From when a nodelet is unloaded, nothing of it may be called: neither by the manager's other threads, which report
@@ -331,7 +331,7 @@ class NodeletManager {
     return ros::service::call("/unload/manager/load_nodelet", load) && load.response.success;
   }
 
-  void waitForOutput(const std::string& pattern) { process_.waitForOutput(pattern, kSafetyNet); }
+  void waitForOutput(const std::string& pattern) { process_.waitForOutput(pattern); }
 
   void loadAndUnload(const std::string& name, const std::string& type, const std::string& image_topic, int rounds) {
     for (int round = 0; round < rounds; ++round) {
@@ -405,7 +405,7 @@ class Decoder : public ::testing::Test {
 
 TEST_F(Decoder, SubscribesOnlyWhileItHasSubscribersAndKeepsTheHeader) {
   Process decoder({AIBO_IMAGE_DECODER, "__ns:=/bag/camera"});
-  decoder.waitForOutput("/bag/camera/image_raw/compressed", kSafetyNet);
+  decoder.waitForOutput("/bag/camera/image_raw/compressed");
   for (int time = 0; time < 2; ++time) {
     EXPECT_TRUE(waitForSubscribers(0)) << "nobody wants images";
     ImageListener images("/bag/camera/image_raw");

@@ -40,7 +40,7 @@ class FollowBall : public ::testing::Test {
   }
 
   bool ends(const std::string& why) {
-    EXPECT_NO_THROW(node_->waitForOutput("any more: " + why + "\\. To go on: rosrun", kSafetyNet)) << why;
+    EXPECT_NO_THROW(node_->waitForOutput("any more: " + why + "\\. To go on: rosrun")) << why;
     return node_->waitForExit(kSafetyNet) == 0;
   }
 
@@ -141,7 +141,7 @@ TEST_F(FollowBall, BeginsWhenTheMotorsAreOnAndNothingElseMovesTheHead) {
   driver_.tell(RobotState::OFF, RobotState::LYING);
   move("/somebody", Movement::POSTURE);
   start(!kWalks);
-  node_->waitForOutput("cannot follow the ball yet: the motors are off", kSafetyNet);
+  node_->waitForOutput("cannot follow the ball yet: the motors are off");
   driver_.tell(RobotState::ON, RobotState::LYING);
   EXPECT_TRUE(waits());
   move("/somebody", Movement::WALK);
@@ -205,19 +205,19 @@ TEST(Monitor, SaysWhyNoPicturesComeAndWhoHasStoppedTheRobot) {
   aibo_driver::Connection connection;
   connection.text = "the robot \x1b[2J is off";
   connections.publish("connection", connection);
-  monitor.waitForOutput("no pictures: the robot [^\x1b]* is off   stopped by /user, until release\\n", kSafetyNet);
+  monitor.waitForOutput("no pictures: the robot [^\x1b]* is off   stopped by /user, until release\\n");
 }
 
 TEST(Monitor, TellsFromTheFirstPictureOnHowManyComeAndHowOldTheyAre) {
   ros::Publisher pictures =
       ros::NodeHandle("/filmed").advertise<sensor_msgs::CompressedImage>("camera/image_raw/compressed", 10);
   Process monitor({AIBO_MONITOR, "__ns:=/filmed", "_seconds:=2", "_first_picture_timeout:=3600"});
-  monitor.waitForOutput("(no pictures[^\\n]*\\n){3}", kSafetyNet);  // its time begins with the first picture
+  monitor.waitForOutput("(no pictures[^\\n]*\\n){3}");  // its time begins with the first picture
   sensor_msgs::CompressedImage picture;
   picture.data.resize(1000);
   const ros::WallTimer film = ros::NodeHandle().createWallTimer(
       ros::WallDuration(0.02), [&](const ros::WallTimerEvent&) { pictures.publish(picture); });
-  EXPECT_NO_THROW(monitor.waitForOutput("[0-9]+\\.[0-9] pictures/s +[0-9.]+ KB/s   stamp to topic: .*\\n", kSafetyNet));
+  EXPECT_NO_THROW(monitor.waitForOutput("[0-9]+\\.[0-9] pictures/s +[0-9.]+ KB/s   stamp to topic: .*\\n"));
   EXPECT_EQ(monitor.waitForExit(kSafetyNet), 0);
 }
 

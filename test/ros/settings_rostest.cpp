@@ -52,7 +52,7 @@ class SettingsUser : public test_support::DriverUser {
     return value;
   }
 
-  void waitForLog(const std::string& pattern) { driver.waitForOutput(pattern, test_support::kSafetyNet); }
+  void waitForLog(const std::string& pattern) { driver.waitForOutput(pattern); }
 };
 
 struct Range {

@@ -43,7 +43,7 @@ class KeyboardTest : public ::testing::Test {
 TEST_F(KeyboardTest, WalksWhileAKeyIsHeldDownAndThenStops) {
   TopicListener<Twist> commands("/keys/cmd_vel");
   Process teleop(command("__ns:=/keys _speed:=0.2"));
-  teleop.waitForOutput("speeds: 0.200 m/s", kSafetyNet);
+  teleop.waitForOutput("speeds: 0.200 m/s");
   EXPECT_EQ(commands.count(), 0u) << "others may steer while no key is pressed";
   keys_.type("i");
   ASSERT_TRUE(commands.waitFor([](const Twist& each) { return each.linear.x == 0.2; }));
@@ -55,7 +55,7 @@ TEST_F(KeyboardTest, EndsWithAStopHoweverItIsEnded) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     TopicListener<Twist> commands("/ended_keys/cmd_vel");
     Process teleop(command("__ns:=/ended_keys _key_timeout:=0"));
-    teleop.waitForOutput("speeds", kSafetyNet);
+    teleop.waitForOutput("speeds");
     keys_.type("i");
     ASSERT_TRUE(commands.waitFor(goes));
     teleop.signal(signal);
@@ -74,7 +74,7 @@ TEST_F(KeyboardTest, SaysOnceWhyAKeyDoesNotMoveTheRobot) {
     ended.reason = reason;
   };
   Process teleop(command("__ns:=/refused __name:=keys"));
-  teleop.waitForOutput("speeds", kSafetyNet);
+  teleop.waitForOutput("speeds");
   TopicPublishers driver("/refused");
   end("/refused/keys", "before it listened");
   driver.publish("motion_state", state);
@@ -83,7 +83,7 @@ TEST_F(KeyboardTest, SaysOnceWhyAKeyDoesNotMoveTheRobot) {
     end("/another", "another's");
     driver.publish("motion_state", state);
   }
-  teleop.waitForOutput("does not walk: the floor ends ahead.\n(.|\n)*does not walk: it fell\\.", kSafetyNet);
+  teleop.waitForOutput("does not walk: the floor ends ahead.\n(.|\n)*does not walk: it fell\\.");
   EXPECT_THAT(teleop.output(), testing::Not(testing::ContainsRegex("before|another|let go")));
 }
 
@@ -91,11 +91,11 @@ TEST_F(KeyboardTest, SaysWhoHasStoppedTheRobotAndReleasesIt) {
   FakeDriver driver("/board");
   driver.stop("/user");
   Process teleop(command("__ns:=/board"));
-  teleop.waitForOutput("/user has stopped the robot. R .capital. lets it move again", kSafetyNet);
+  teleop.waitForOutput("/user has stopped the robot. R .capital. lets it move again");
   keys_.type("R");
-  teleop.waitForOutput("The robot may move again", kSafetyNet);
+  teleop.waitForOutput("The robot may move again");
   keys_.type("S");
-  teleop.waitForOutput("/caller has stopped the robot", kSafetyNet);
+  teleop.waitForOutput("/caller has stopped the robot");
 }
 
 TEST(Keyboard, SaysWhyItCannotStart) {
@@ -107,7 +107,7 @@ TEST(Keyboard, SaysWhyItCannotStart) {
   };
   for (const auto& [arguments, environment, complaint] : rows) {
     Process teleop({"/bin/sh", "-c", std::string("exec ") + AIBO_TELEOP_KEYBOARD + " " + arguments}, environment);
-    EXPECT_NO_THROW(teleop.waitForOutput(complaint, kSafetyNet));
+    EXPECT_NO_THROW(teleop.waitForOutput(complaint));
     EXPECT_EQ(teleop.waitForExit(kSafetyNet), 1) << arguments;
   }
 }
@@ -237,24 +237,28 @@ TEST(GamepadTest, SaysWhoHasStoppedTheRobotAndReleasesItWithTheDeadManButton) {
   pad.press({Gamepad::kDeadMan});
   pad.press({Gamepad::kDeadMan, Gamepad::kRelease});  // nobody has stopped the robot
   pad.press({Gamepad::kStop});
-  pad.teleop().waitForOutput("/caller has stopped the robot.*together with the dead-man button", kSafetyNet);
+  pad.teleop().waitForOutput("/caller has stopped the robot.*together with the dead-man button");
   EXPECT_THAT(pad.teleop().output(), testing::Not(testing::HasSubstr("/release: ")));
   pad.press({Gamepad::kDeadMan});
   pad.press({Gamepad::kDeadMan, Gamepad::kRelease});
-  pad.teleop().waitForOutput("The robot may move again", kSafetyNet);
+  pad.teleop().waitForOutput("The robot may move again");
 }
 
 TEST(GamepadTest, StopsWhileAReleaseWaitsForItsAnswer) {
-  constexpr bool kIsSlow = true;
-  FakeDriver driver("/late", kIsSlow);
+  std::promise<void> called;
+  std::promise<void> may_answer;
+  FakeDriver driver("/late", [&] {
+    called.set_value();
+    may_answer.get_future().wait_for(kSafetyNet);
+  });
   driver.stop("/user");
   Gamepad pad("/late");
-  pad.teleop().waitForOutput("/user has stopped the robot", kSafetyNet);
+  pad.teleop().waitForOutput("/user has stopped the robot");
   pad.press({Gamepad::kDeadMan, Gamepad::kRelease});
-  ASSERT_TRUE(driver.waitForCallOfRelease());
+  ASSERT_EQ(called.get_future().wait_for(kSafetyNet), std::future_status::ready);
   pad.press({Gamepad::kStop});
-  EXPECT_NO_THROW(pad.teleop().waitForOutput("/late/stop: ", kSafetyNet));
-  driver.answerRelease();
+  EXPECT_NO_THROW(pad.teleop().waitForOutput("/late/stop: "));
+  may_answer.set_value();
 }
 
 TEST(GamepadTest, SeesAShortPressOfStopAlsoIfItWasHeldUp) {
@@ -266,7 +270,7 @@ TEST(GamepadTest, SeesAShortPressOfStopAlsoIfItWasHeldUp) {
     pad.press({});
   }
   pad.teleop().signal(SIGCONT);
-  pad.teleop().waitForOutput("/held/stop: ", kSafetyNet);
+  pad.teleop().waitForOutput("/held/stop: ");
 }
 
 TEST(GamepadTest, SaysWhichOfItsParametersIsWrong) {
@@ -279,7 +283,7 @@ TEST(GamepadTest, SaysWhichOfItsParametersIsWrong) {
   };
   for (const auto& [parameter, complaint] : rows) {
     Process node({AIBO_TELEOP_JOY, "__ns:=/wrong_joystick", parameter});
-    EXPECT_NO_THROW(node.waitForOutput(complaint, kSafetyNet)) << parameter;
+    EXPECT_NO_THROW(node.waitForOutput(complaint)) << parameter;
     EXPECT_EQ(node.waitForExit(kSafetyNet), 1) << parameter;
     ros::param::del("/wrong_joystick");
   }

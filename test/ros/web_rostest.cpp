@@ -49,7 +49,7 @@ class Web {
   explicit Web(const std::string& name_space, const std::vector<std::string>& parameters = {},
                const std::map<std::string, std::string>& environment = {})
       : process_(command(name_space, parameters), environment) {
-    const auto groups = process_.waitForOutput("page is at http://(\\S+):([0-9]+)/(\\?code=(\\S+))?", kSafetyNet);
+    const auto groups = process_.waitForOutput("page is at http://(\\S+):([0-9]+)/(\\?code=(\\S+))?");
     port_ = static_cast<unsigned short>(std::stoi(groups.at(2)));
     host_ = groups.at(1) + ":" + groups.at(2);
     code_ = groups.at(4);

@@ -2,33 +2,30 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
-#include <cstdlib>
+#include <algorithm>
 #include <regex>
 #include <stdexcept>
+#include <thread>
 
 #include "support/safety_net.h"
 
 namespace test_support {
-namespace {
 
 constexpr std::chrono::milliseconds kPollPeriod{5};
-
-// What a process has printed is read at once when it ends, unless a child of its own goes on.
-constexpr std::chrono::seconds kLastOutput{1};
 
 // More than a test program has open at the same time.
 constexpr int kMostDescriptors = 1024;
 
-}  // namespace
-
-Process::Process(const std::vector<std::string>& command, const std::map<std::string, std::string>& environment) {
+Process::Process(const std::vector<std::string>& command, const std::map<std::string, std::string>& environment)
+    : output_(::memfd_create("output", MFD_CLOEXEC)) {
   std::vector<std::string> words = {"env"};
-  // Otherwise the output of ROS_INFO and Python reaches a pipe only when the process ends.
+  // Otherwise the output of ROS_INFO and Python is written only when the process ends.
   words.insert(words.end(), {"ROSCONSOLE_STDOUT_LINE_BUFFERED=1", "PYTHONUNBUFFERED=1"});
   for (const auto& [name, value] : environment) {
     words.push_back(name + "=" + value);
@@ -40,45 +37,40 @@ Process::Process(const std::vector<std::string>& command, const std::map<std::st
     arguments.push_back(word.data());
   }
   arguments.push_back(nullptr);
-  std::array<int, 2> pipe_ends{};
-  if (::pipe2(pipe_ends.data(), O_CLOEXEC) != 0) {
-    throw std::runtime_error("no pipe");
-  }
   pid_ = ::fork();
   if (pid_ == 0) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    ::dup2(pipe_ends[1], STDOUT_FILENO);
-    ::dup2(pipe_ends[1], STDERR_FILENO);
+    ::dup2(output_.get(), STDOUT_FILENO);
+    ::dup2(output_.get(), STDERR_FILENO);
     for (int descriptor = STDERR_FILENO + 1; descriptor < kMostDescriptors; ++descriptor) {
       ::fcntl(descriptor, F_SETFD, FD_CLOEXEC);  // the child must not inherit roscpp's sockets
     }
     ::execvp(arguments[0], arguments.data());
     ::_exit(127);
   }
-  ::close(pipe_ends[1]);
-  output_descriptor_ = pipe_ends[0];
-  reader_ = std::thread(&Process::readOutput, this);
 }
 
-Process::~Process() {
-  kill();
-  reader_.join();
-  ::close(output_descriptor_);
-}
-
-std::vector<std::string> Process::waitForOutput(const std::string& pattern, std::chrono::seconds timeout) {
+std::vector<std::string> Process::waitForOutput(const std::string& pattern) {
   const std::regex expression(pattern);
+  std::string text;
   std::smatch match;
-  std::unique_lock<std::mutex> lock(mutex_);
-  if (!changed_.wait_for(lock, timeout, [&] { return std::regex_search(output_, match, expression); })) {
-    throw std::runtime_error("'" + pattern + "' is not in the output:\n" + output_);
+  const auto matches = [&] {
+    text = output();
+    return std::regex_search(text, match, expression);
+  };
+  if (!eventually(matches, kPollPeriod)) {
+    throw std::runtime_error("'" + pattern + "' is not in the output:\n" + text);
   }
   return {match.begin(), match.end()};
 }
 
 std::string Process::output() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return output_;
+  struct stat status = {};
+  ::fstat(output_.get(), &status);
+  std::string text(static_cast<std::size_t>(status.st_size), '\0');
+  const ssize_t size = ::pread(output_.get(), text.data(), text.size(), 0);
+  text.resize(static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+  return text;
 }
 
 void Process::signal(int number) const {
@@ -109,24 +101,7 @@ std::optional<int> Process::waitForExit(std::chrono::milliseconds timeout) {
       std::this_thread::sleep_for(kPollPeriod);
     }
   }
-  std::unique_lock<std::mutex> lock(mutex_);
-  changed_.wait_for(lock, kLastOutput, [&] { return !exit_status_ || output_complete_; });
   return exit_status_;
-}
-
-void Process::readOutput() {
-  std::array<char, 4096> buffer{};
-  ssize_t count = 0;
-  while ((count = ::read(output_descriptor_, buffer.data(), buffer.size())) > 0) {
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      output_.append(buffer.data(), static_cast<std::size_t>(count));
-    }
-    changed_.notify_all();
-  }
-  const std::lock_guard<std::mutex> lock(mutex_);
-  output_complete_ = true;
-  changed_.notify_all();
 }
 
 }  // namespace test_support

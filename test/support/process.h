@@ -5,30 +5,26 @@
 #include <sys/types.h>
 
 #include <chrono>
-#include <condition_variable>
 #include <map>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
+
+#include "host_files/file_descriptor.h"
 
 namespace test_support {
 
-/// A child process whose output is read. It is killed with the object, and when the test program ends.
+/// A child process whose output is kept. It is killed with the object, and when the test program ends.
 class Process {
  public:
   /// @param environment added to the environment of the test program
   explicit Process(const std::vector<std::string>& command, const std::map<std::string, std::string>& environment = {});
-  ~Process();
-
-  Process(const Process&) = delete;
-  Process& operator=(const Process&) = delete;
+  ~Process() { kill(); }
 
   /// Waits until the output so far, stdout and stderr, contains a match.
   /// @return the groups of the match
   /// @throw std::runtime_error it did not come in time; the text contains the output
-  std::vector<std::string> waitForOutput(const std::string& pattern, std::chrono::seconds timeout);
+  std::vector<std::string> waitForOutput(const std::string& pattern);
 
   std::string output() const;
 
@@ -38,7 +34,7 @@ class Process {
   /// Ends it by SIGKILL, and reaps it.
   void kill();
 
-  /// Waits for its end, and for all that it has printed.
+  /// Waits for its end.
   /// @return the exit status, 128 + signal if a signal ended it; empty if it did not end in time
   std::optional<int> waitForExit(std::chrono::milliseconds timeout);
 
@@ -47,16 +43,9 @@ class Process {
   pid_t pid() const { return pid_; }
 
  private:
-  void readOutput();
-
   pid_t pid_ = -1;
-  int output_descriptor_ = -1;
+  const host_files::FileDescriptor output_;  // a file in memory
   std::optional<int> exit_status_;
-  mutable std::mutex mutex_;
-  std::condition_variable changed_;
-  std::string output_;
-  bool output_complete_ = false;
-  std::thread reader_;
 };
 
 }  // namespace test_support

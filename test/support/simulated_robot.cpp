@@ -13,8 +13,7 @@ void SimulatedRobot::start(int port) {
   command.insert(command.end(), options_.begin(), options_.end());
   kept_port_.close();
   process_ = std::make_unique<Process>(command);
-  const auto ports =
-      process_->waitForOutput("Console on [0-9.]+:([0-9]+)\n.*listening on [0-9.]+:([0-9]+)", kSafetyNet);
+  const auto ports = process_->waitForOutput("Console on [0-9.]+:([0-9]+)\n.*listening on [0-9.]+:([0-9]+)");
   console_port_ = std::stoi(ports.at(1));
   port_ = std::stoi(ports.at(2));
 }

@@ -102,7 +102,7 @@ TEST_F(Faults, CtrlCEndsTheNodeWhoseMasterDoesNotAnswer) {
   silence.paused = true;
   master.setConditions(silence);
   driver.signal(SIGINT);
-  driver.waitForOutput("without unregistering", kSafetyNet);
+  driver.waitForOutput("without unregistering");
   EXPECT_EQ(driver.waitForExit(kSafetyNet).value_or(-1), EXIT_FAILURE);
 
   master.setConditions({});
@@ -177,7 +177,7 @@ TEST_F(Faults, ADriverOutlivesItsMasterAndItsSubscribersDoToo) {
   const int port = test_support::portOf(test_support::bindTo("127.0.0.1", 0));
   const std::map<std::string, std::string> environment{{"ROS_MASTER_URI", "http://127.0.0.1:" + std::to_string(port)}};
   Process master({"roscore", "-p", std::to_string(port)}, environment);
-  master.waitForOutput("started core service", kSafetyNet);
+  master.waitForOutput("started core service");
   Process driver(
       {AIBO_DRIVER_NODE, "__ns:=/master", "_port:=" + std::to_string(proxy_.port()), kPatient, test_support::kByTcp},
       environment);

@@ -57,7 +57,7 @@ TEST(Stop, NeedsNoMaster) {
   Process master({"rosmaster", "--core", "-p", port});
   const SimulatedRobot robot;
   DriverProcess driver("/alone", robot.port(), {kKeepsRobot}, environment);
-  driver.waitForOutput("onnected to", kSafetyNet);
+  driver.waitForOutput("onnected to");
   EXPECT_TRUE(eventually([&] {  // on a slow computer, an order may be too old when it could reach the robot
     Process stand({"rosservice", "call", "--wait", "/alone/stand"}, environment);
     return stand.waitForExit(kSafetyNet) && stand.output().find("success: True") != std::string::npos;
@@ -68,7 +68,7 @@ TEST(Stop, NeedsNoMaster) {
   Process keyboard(
       {"/bin/sh", "-c", std::string("exec ") + AIBO_TELEOP_KEYBOARD + " __ns:=/alone _key_timeout:=0 < " + keys.name()},
       environment);
-  keyboard.waitForOutput("speeds: ", kSafetyNet);
+  keyboard.waitForOutput("speeds: ");
   // The first keys may come before anybody listens. A robot that turns on the spot meets nothing meanwhile.
   EXPECT_TRUE(eventually([&] {
     keys.type("j");
@@ -84,7 +84,7 @@ TEST(Stop, NeedsNoMaster) {
 
   master.signal(SIGSTOP);
   EXPECT_TRUE(stops()) << keyboard.output();
-  state.waitForOutput("posture: 1\nstopped: True\nstopped_by: \"/alone/aibo_teleop_keyboard\"", kSafetyNet);
+  state.waitForOutput("posture: 1\nstopped: True\nstopped_by: \"/alone/aibo_teleop_keyboard\"");
   master.kill();
   EXPECT_TRUE(stops()) << "without a master: " << keyboard.output();
 }
@@ -199,7 +199,7 @@ TEST_F(OutlivedStop, LastsAlsoInTheNextDriverUntilRelease) {
   EXPECT_TRUE(eventually(remembers));
   driver_->kill();
   restart();
-  driver_->waitForOutput("The robot stays stopped: .* has stopped it", kSafetyNet);
+  driver_->waitForOutput("The robot stays stopped: .* has stopped it");
   expectStopped();
   driver_->signal(SIGINT);
   EXPECT_EQ(driver_->waitForExit(kSafetyNet), 0);

@@ -9,40 +9,31 @@
 #include <std_srvs/Trigger.h>
 
 #include <chrono>
+#include <functional>
 #include <future>
 #include <mutex>
 #include <string>
 #include <vector>
-
-#include "support/safety_net.h"
 
 namespace test_support {
 
 /// The part of a driver that programs see which steer or move the robot.
 class FakeDriver {
  public:
-  explicit FakeDriver(const std::string& name_space, bool is_slow = false) : handle_(name_space), is_slow_(is_slow) {
+  /// @param before_release called before a call of release is answered
+  explicit FakeDriver(
+      const std::string& name_space, const std::function<void()>& before_release = [] {})
+      : handle_(name_space) {
     constexpr bool kLatched = true;
     state_ = handle_.advertise<aibo_driver::RobotState>("robot_state", 1, kLatched);
     motion_ = handle_.advertise<aibo_driver::MotionState>("motion_state", 10, kLatched);
     mask_ = handle_.advertise<sensor_msgs::Image>("color_mask", 1);
-    release_ = handle_.advertiseService<std_srvs::Trigger::Request, std_srvs::Trigger::Response>(
-        "release", [this](std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-          if (is_slow_) {
-            release_was_called_.set_value();
-            may_answer_.get_future().wait_for(kSafetyNet);
-          }
-          response.success = 1;
-          release();
-          return true;
-        });
-    stop_ = handle_.advertiseService<std_srvs::Trigger::Request, std_srvs::Trigger::Response>(
-        "stop", [this](std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-          stop("/caller");
-          response.success = 1;
-          return true;
-        });
-    motion_.publish(aibo_driver::MotionState());
+    release_ = serve("release", [this, before_release] {
+      before_release();
+      release();
+    });
+    stop_ = serve("stop", [this] { stop("/caller"); });
+    move({});
     release();
     // Not a ros::Timer: one of its callbacks can come after the destructor has stopped it.
     senses_ = std::async(std::launch::async, [this, end = end_.get_future()] {
@@ -58,9 +49,6 @@ class FakeDriver {
     senses_.wait();
   }
 
-  FakeDriver(const FakeDriver&) = delete;
-  FakeDriver& operator=(const FakeDriver&) = delete;
-
   /// @param node empty: nobody stops it
   void stop(const std::string& node) {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -69,12 +57,6 @@ class FakeDriver {
     state_.publish(state_now_);
   }
   void release() { stop(""); }
-
-  /// Of a slow driver, once: it does not answer until it is told to.
-  bool waitForCallOfRelease() {
-    return release_was_called_.get_future().wait_for(kSafetyNet) == std::future_status::ready;
-  }
-  void answerRelease() { may_answer_.set_value(); }
 
   void tell(std::uint8_t motors, std::uint8_t posture) {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -98,6 +80,15 @@ class FakeDriver {
   }
 
  private:
+  ros::ServiceServer serve(const std::string& name, const std::function<void()>& act) {
+    return handle_.advertiseService<std_srvs::Trigger::Request, std_srvs::Trigger::Response>(
+        name, [act](std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+          act();
+          response.success = 1;
+          return true;
+        });
+  }
+
   void sense() {
     sensor_msgs::Image black;
     black.header.frame_id = "camera_optical_frame";
@@ -117,9 +108,6 @@ class FakeDriver {
   }
 
   ros::NodeHandle handle_;
-  const bool is_slow_;
-  std::promise<void> release_was_called_;
-  std::promise<void> may_answer_;
   std::mutex mutex_;  ///< guards the data, because services are called on several threads
   aibo_driver::RobotState state_now_;
   unsigned ball_left_ = 0;

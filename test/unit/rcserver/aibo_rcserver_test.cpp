@@ -40,7 +40,7 @@ Strings command(const Strings& options = {}, const std::string& port = "0", cons
 }
 
 std::string restOfLine(Process& robot, const std::string& text) {
-  return robot.waitForOutput(text + "(.+)\n", kSafetyNet).at(1);
+  return robot.waitForOutput(text + "(.+)\n").at(1);
 }
 
 /// Waits until it listens.
