@@ -1,12 +1,12 @@
 #include "node/body/leds_and_ears.h"
 
 #include <gmock/gmock.h>
+#include <ros/console.h>
 
 #include <cmath>
 
 #include "movement/mover.h"
 #include "support/fake_client.h"
-#include "support/ros/log_listener.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -16,6 +16,23 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Pair;
 using ::testing::SizeIs;
+
+struct LogListener : public ros::console::LogAppender {
+  LogListener() { ros::console::register_appender(this); }
+  void log(ros::console::Level /*level*/, const char* text, const char* /*file*/, const char* /*function*/,
+           int /*line*/) override {
+    texts.emplace_back(text);
+  }
+  std::vector<std::string> texts;
+};
+
+/// Has what is logged from now on.
+const std::vector<std::string>& listenToLog() {
+  // It stays registered, because Debian 11's rosconsole crashes when a listener goes.
+  static auto* const listener = new LogListener;
+  listener->texts.clear();
+  return listener->texts;
+}
 
 const robot_model::RobotModel& ledRobot() {
   return *robot_model::findRobotModel("ERS-7");
@@ -116,12 +133,12 @@ TEST_F(LedsAndEarsTest, SendsLedsAndEars) {
 }
 
 TEST_F(LedsAndEarsTest, FlicksNoEarOfAStoppedRobot) {
-  const test_support::LogListener& log = test_support::listenToLog();
+  const std::vector<std::string>& log = listenToLog();
   mover_.stop({"/somebody", std::chrono::steady_clock::now()});
   client_.told.clear();
   commander_.receiveEars(Ears(), order());
   EXPECT_THAT(client_.told, IsEmpty());
-  EXPECT_THAT(log.texts, ElementsAre("A command to the ears was dropped: stopped by /somebody; call release."));
+  EXPECT_THAT(log, ElementsAre("A command to the ears was dropped: stopped by /somebody; call release."));
   commander_.receiveLeds(face(1.0F));
   EXPECT_THAT(client_.told, ElementsAre("LEDs 7:255")) << "they move nothing";
 }
@@ -134,14 +151,14 @@ TEST_F(LedsAndEarsTest, SendsNothingToARobotOfAnotherDesign) {
 }
 
 TEST_F(LedsAndEarsTest, DropsWhatCannotBeSentAndSaysWhy) {
-  const test_support::LogListener& log = test_support::listenToLog();
+  const std::vector<std::string>& log = listenToLog();
   client_.problem = "not connected";
   commander_.receiveLeds(face(1.0F));
   commander_.receiveEars(Ears(), order());
   client_.problem.clear();
   EXPECT_THAT(client_.told, IsEmpty());
-  EXPECT_THAT(log.texts, ElementsAre(HasSubstr("'third_eye'"), "A command to the LEDs was dropped: not connected",
-                                     "A command to the ears was dropped: not connected"));
+  EXPECT_THAT(log, ElementsAre(HasSubstr("'third_eye'"), "A command to the LEDs was dropped: not connected",
+                               "A command to the ears was dropped: not connected"));
 }
 
 }  // namespace
