@@ -53,9 +53,6 @@ class PictureServer {
     accepting_.wait();
   }
 
-  PictureServer(const PictureServer&) = delete;
-  PictureServer& operator=(const PictureServer&) = delete;
-
   /// On 127.0.0.1.
   int port() const { return portOf(listener_); }
 

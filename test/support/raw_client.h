@@ -7,6 +7,7 @@
 #include <poll.h>
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdint>
@@ -19,8 +20,11 @@
 #include "protocol/version1.h"
 #include "protocol/version2.h"
 #include "support/sockets.h"
+#include "support/version2_frames.h"
 
 namespace test_support {
+
+using version2_frames::Frame;
 
 /// One end of a connection. What is not read stays in the kernel.
 class RawConnection {
@@ -40,12 +44,12 @@ class RawConnection {
   /// @param most most bytes to read
   /// @return nothing if none came in time; no bytes if the connection has ended
   std::optional<Bytes> receive(milliseconds timeout, std::size_t most = 65536) {
-    pollfd polled = {socket_.get(), POLLIN, 0};
-    if (::poll(&polled, 1, static_cast<int>(timeout.count())) <= 0) {
+    if (!isReady(socket_, POLLIN, timeout)) {
       return std::nullopt;
     }
     Bytes bytes(most);
     const ssize_t count = ::recv(socket_.get(), bytes.data(), bytes.size(), 0);
+    was_reset_ = was_reset_ || count < 0;
     bytes.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
     return bytes;
   }
@@ -81,6 +85,7 @@ class RawConnection {
   }
 
   host_files::FileDescriptor socket_;
+  bool was_reset_ = false;
 };
 
 class RawClient : public RawConnection {
@@ -90,8 +95,7 @@ class RawClient : public RawConnection {
   /// @throw std::system_error if the server refuses
   explicit RawClient(int port, int buffer_size = kSmallBuffer, const std::string& from = "")
       : RawConnection(beginConnecting("127.0.0.1", port, buffer_size, from)) {
-    pollfd polled = {socket_.get(), POLLOUT, 0};
-    ::poll(&polled, 1, 5000);
+    isReady(socket_, POLLOUT, milliseconds(5000));
     errno = error();
     check(errno == 0 || errno == ECONNRESET, "connect");  // a reset may already have come
   }
@@ -103,14 +107,8 @@ class RawClient : public RawConnection {
 /// What a server sent in version 1: a picture or a reply of four bytes.
 struct Reply {
   char letter = '\0';
-  std::vector<uint8_t> jpeg;     ///< of a picture
+  Bytes jpeg;                    ///< of a picture
   protocol::ValueReply value{};  ///< of any other reply
-};
-
-/// A frame that a server sent in version 2.
-struct Frame {
-  protocol::version2::FrameHeader header{};
-  std::vector<uint8_t> payload;
 };
 
 /// A client that never waits, for tests that run the server on the same thread. Each look at it reads everything.
@@ -122,61 +120,56 @@ class TestClient : public RawClient {
 
   /// All that has come so far, except what next(), nextFrame() and take() have returned.
   const std::string& received() {
-    look();
+    for (std::optional<Bytes> part; !ended_ && (part = receive(milliseconds(0)));) {
+      received_.append(part->begin(), part->end());
+      ended_ = part->empty();
+    }
     return received_;
   }
 
   /// The next whole reply, if it is here already.
   std::optional<Reply> next() {
-    look();
-    const bool is_picture = !received_.empty() && received_[0] == protocol::REPLY_PICTURE;
+    const bool is_picture = !received().empty() && received_[0] == protocol::REPLY_PICTURE;
     const size_t header = is_picture ? protocol::PICTURE_HEADER_SIZE : protocol::VALUE_REPLY_SIZE;
     if (received_.size() < header) {
       return std::nullopt;
     }
-    size_t size = 0;
-    if (is_picture && !protocol::decodePictureHeader(bytes(), &size)) {
-      throw std::runtime_error("a picture of " + std::to_string(size) + " bytes");
-    }
-    if (received_.size() < header + size) {
-      return std::nullopt;
-    }
     Reply reply;
     reply.letter = received_[0];
+    size_t size = 0;
     if (!is_picture) {
       reply.value = protocol::decodeValueReply(bytes());
+    } else if (!protocol::decodePictureHeader(bytes(), &size)) {
+      throw std::runtime_error("a picture of " + std::to_string(size) + " bytes");
     }
-    consume(header);
-    reply.jpeg = consume(size);
-    return reply;
+    const Bytes whole = take(header + size);
+    reply.jpeg.assign(whole.begin() + static_cast<std::ptrdiff_t>(std::min(header, whole.size())), whole.end());
+    return whole.empty() ? std::nullopt : std::optional(reply);
   }
 
   /// The next `size` bytes; nothing unless they are all here.
-  std::vector<uint8_t> take(size_t size) {
-    look();
-    return received_.size() < size ? std::vector<uint8_t>() : consume(size);
+  Bytes take(size_t size) {
+    if (received().size() < size) {
+      return {};
+    }
+    const Bytes taken(bytes(), bytes() + size);
+    received_.erase(0, size);
+    return taken;
   }
 
   /// The next frame of version 2, if it has arrived completely.
   std::optional<Frame> nextFrame() {
     using protocol::version2::FRAME_HEADER_SIZE;
-    look();
-    if (received_.size() < FRAME_HEADER_SIZE) {
+    if (received().size() < FRAME_HEADER_SIZE) {
       return std::nullopt;
     }
-    Frame frame;
-    frame.header = protocol::version2::decodeFrameHeader(bytes());
-    if (received_.size() < FRAME_HEADER_SIZE + frame.header.payload_size) {
-      return std::nullopt;
-    }
-    consume(FRAME_HEADER_SIZE);
-    frame.payload = consume(frame.header.payload_size);
-    return frame;
+    const Bytes frame = take(FRAME_HEADER_SIZE + protocol::version2::decodeFrameHeader(bytes()).payload_size);
+    return frame.empty() ? std::nullopt : std::optional(version2_frames::split(frame));
   }
 
   /// True if the server has closed or reset the connection; next() may still find what it sent before.
   bool ended() {
-    look();
+    received();
     return ended_;
   }
 
@@ -185,37 +178,15 @@ class TestClient : public RawClient {
 
   /// True if the server has reset the connection, which loses what was on its way.
   bool wasReset() {
-    look();
+    received();
     return was_reset_ || error() != 0;  // from a reset after an orderly end
   }
 
  private:
-  void look() {
-    char bytes[65536];
-    while (!ended_) {
-      const ssize_t size = ::recv(socket_.get(), bytes, sizeof(bytes), 0);
-      if (size > 0) {
-        received_.append(bytes, static_cast<size_t>(size));
-      } else if (size < 0 && (errno == EAGAIN || errno == EINTR)) {
-        return;
-      } else {
-        ended_ = true;
-        was_reset_ = size < 0;
-      }
-    }
-  }
-
   const uint8_t* bytes() const { return reinterpret_cast<const uint8_t*>(received_.data()); }
-
-  std::vector<uint8_t> consume(size_t size) {
-    std::vector<uint8_t> taken(bytes(), bytes() + size);
-    received_.erase(0, size);
-    return taken;
-  }
 
   std::string received_;
   bool ended_ = false;
-  bool was_reset_ = false;
 };
 
 }  // namespace test_support

@@ -25,13 +25,6 @@
 
 namespace test_support {
 
-inline bool isReadableWithin(int descriptor, std::chrono::milliseconds time) {
-  pollfd polled = {descriptor, POLLIN, 0};
-  const int count = ::poll(&polled, 1, static_cast<int>(time.count()));
-  check(count >= 0, "poll");
-  return count > 0;
-}
-
 /// The server's end of one connection. Calls that wait throw std::runtime_error after a generous timeout.
 class ScriptedPeer : public RawConnection {
  public:
@@ -73,7 +66,7 @@ class ScriptedPeer : public RawConnection {
     send(report);
     for (int i = 0; i < protocol::version2::NUMBER_OF_CAMERA_SETTINGS; ++i) {
       const version2_frames::Frame setting = readFrame();
-      camera_ += version2_frames::textOf(setting) + ";";
+      camera_ += version2_frames::describe(setting) + ";";
       Bytes reply = version2_frames::makeFrame('g', setting.header.request_number, setting.payload);
       reply[1] = setting.header.id;
       send(reply);
@@ -93,14 +86,11 @@ class ScriptedPeer : public RawConnection {
   }
 
   void send(const Bytes& bytes) {
-    std::size_t sent = 0;
-    while (sent < bytes.size()) {
-      // The beginning goes alone, as part of a header.
-      const std::size_t part = sent == 0 ? std::min<std::size_t>(bytes.size(), 3) : bytes.size() - sent;
-      const ssize_t count = ::send(socket_.get(), bytes.data() + sent, part, MSG_NOSIGNAL);
-      check(count >= 0, "send");
-      sent += static_cast<std::size_t>(count);
-    }
+    const std::size_t first = std::min<std::size_t>(bytes.size(), 3);  // goes alone, as part of a header
+    const auto may_wait = [] { return true; };
+    check(sendAll(socket_, bytes.data(), first, may_wait) &&
+              sendAll(socket_, bytes.data() + first, bytes.size() - first, may_wait),
+          "send");
   }
 
   /// Sends header and picture at once.
@@ -108,12 +98,12 @@ class ScriptedPeer : public RawConnection {
 
   /// Waits until the client has closed the connection, and discards what it sends until then.
   void waitUntilClosed() {
-    std::optional<Bytes> part;
-    while ((part = receive(kSafetyNet)) && !part->empty()) {
+    while (const std::optional<Bytes> part = receive(kSafetyNet)) {
+      if (part->empty()) {
+        return;
+      }
     }
-    if (!part) {
-      throw std::runtime_error("the client has not closed the connection");
-    }
+    throw std::runtime_error("the client has not closed the connection");
   }
 
  private:
@@ -127,7 +117,6 @@ class ScriptedServer {
 
   /// @param begin kAbsent: the port is reserved, but connections are refused
   explicit ScriptedServer(Begin begin = Begin::kListening) {
-    bind();
     if (begin == Begin::kListening) {
       listen();
     }
@@ -135,13 +124,9 @@ class ScriptedServer {
 
   int port() const { return port_; }
 
-  /// Begins to listen, unless it already does.
+  /// Begins to listen.
   /// @param backlog one less than the number of clients that may wait for accept()
-  void listen(int backlog = 16) {
-    if (!std::exchange(listening_, true)) {
-      check(::listen(socket_.get(), backlog) == 0, "listen");
-    }
-  }
+  void listen(int backlog = 16) { check(::listen(socket_.get(), backlog) == 0, "listen"); }
 
   /// Has the kernel take only few unread bytes from later clients.
   void limitReceiveBuffer() { setOption(socket_, SOL_SOCKET, SO_RCVBUF, 4096); }
@@ -149,39 +134,25 @@ class ScriptedServer {
   /// Stops listening; the port stays reserved.
   void vanish() {
     socket_.close();
-    listening_ = false;
-    bind();
+    socket_ = bindTo("127.0.0.1", port_, 0);
   }
 
   /// Waits for the next client.
   ScriptedPeer accept() {
-    if (!isReadableWithin(socket_.get(), kSafetyNet)) {
-      throw std::runtime_error("no client has come");
-    }
-    host_files::FileDescriptor socket(::accept4(socket_.get(), nullptr, nullptr, SOCK_CLOEXEC));
-    check(socket.valid(), "accept");
-    return ScriptedPeer(std::move(socket));
+    isReady(socket_, POLLIN, kSafetyNet);
+    host_files::FileDescriptor client = acceptFrom(socket_);
+    check(client.valid(), "no client has come");
+    return ScriptedPeer(std::move(client));
   }
 
   /// True if a client comes within this time; its connection is closed.
   bool clientComesWithin(std::chrono::milliseconds time) {
-    if (!isReadableWithin(socket_.get(), time)) {
-      return false;
-    }
-    accept();
-    return true;
+    return isReady(socket_, POLLIN, time) && acceptFrom(socket_).valid();
   }
 
  private:
-  void bind() {
-    socket_ = makeSocket(0);
-    bindSocket(socket_, "127.0.0.1", port_);
-    port_ = portOf(socket_);
-  }
-
-  host_files::FileDescriptor socket_;
-  int port_ = 0;
-  bool listening_ = false;
+  host_files::FileDescriptor socket_ = bindTo("127.0.0.1", 0, 0);
+  const int port_ = portOf(socket_);
 };
 
 }  // namespace test_support

@@ -63,17 +63,20 @@ inline host_files::FileDescriptor makeSocket(int buffer_size) {
   return socket;
 }
 
+/// Binds a socket to an address of this computer.
 /// @return false if the address is not free
 inline bool tryToBind(const host_files::FileDescriptor& socket, const std::string& address, int port) {
   const sockaddr_in parsed = addressOf(address, port);
   return ::bind(socket.get(), reinterpret_cast<const sockaddr*>(&parsed), sizeof parsed) == 0;
 }
 
-/// Binds a TCP socket to an address of this computer.
+/// A TCP socket that is bound to an address of this computer, and does not listen yet. It does not block.
 /// @param port 0 = any free one below 32768. The kernel gives ROS nodes ports from there up, and the master goes on
 ///   sending messages to a node that was killed.
-inline void bindSocket(const host_files::FileDescriptor& socket, const std::string& address, int port) {
+/// @param buffer_size as for makeSocket()
+inline host_files::FileDescriptor bindTo(const std::string& address, int port, int buffer_size = kSmallBuffer) {
   static std::mt19937 random(std::random_device{}());
+  host_files::FileDescriptor socket = makeSocket(buffer_size);
   // A port that another test keeps is not free, although nothing listens there.
   setOption(socket, SOL_SOCKET, SO_REUSEADDR, port != 0 ? 1 : 0);
   bool bound = port != 0 && tryToBind(socket, address, port);
@@ -82,12 +85,6 @@ inline void bindSocket(const host_files::FileDescriptor& socket, const std::stri
   }
   check(bound, address + ":" + std::to_string(port));
   setOption(socket, SOL_SOCKET, SO_REUSEADDR, 1);
-}
-
-/// A socket that is bound as by bindSocket(), and does not listen yet. It does not block, and its buffers are small.
-inline host_files::FileDescriptor bindTo(const std::string& address, int port) {
-  host_files::FileDescriptor socket = makeSocket(kSmallBuffer);
-  bindSocket(socket, address, port);
   return socket;
 }
 

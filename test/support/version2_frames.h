@@ -10,12 +10,12 @@
 
 #include "protocol/hello.h"
 #include "protocol/version2.h"
-#include "support/test_pictures.h"
+#include "support/sockets.h"
 
 namespace version2_frames {
 
 namespace version2 = protocol::version2;
-using test_pictures::Bytes;
+using test_support::Bytes;
 
 struct Frame {
   version2::FrameHeader header{};
@@ -29,7 +29,7 @@ inline Frame split(const Bytes& bytes) {
 
 /// Kind, id and payload as text, as in "W 85 1 0 0 1".
 /// @param longest the most bytes of the payload that are shown
-inline std::string textOf(const Frame& frame, std::size_t longest = 256) {
+inline std::string describe(const Frame& frame, std::size_t longest = 256) {
   std::string text = frame.header.kind + (" " + std::to_string(frame.header.id));
   for (std::size_t i = 0; i < std::min(longest, frame.payload.size()); ++i) {
     text += " " + std::to_string(frame.payload[i]);

@@ -62,9 +62,6 @@ class FaultProxy {
     links_.clear();  // waits for their threads, which use the rest
   }
 
-  FaultProxy(const FaultProxy&) = delete;
-  FaultProxy& operator=(const FaultProxy&) = delete;
-
   int port() const { return port_; }
 
   /// Sets the conditions for present and later connections.
@@ -90,7 +87,6 @@ class FaultProxy {
       for (Link& link : links_) {
         end(how, link, Direction::kToClient);
       }
-      held_.clear();
     });
   }
 
@@ -99,7 +95,6 @@ class FaultProxy {
     change([&] {
       conditions_ = Conditions();
       faults_.clear();
-      held_.clear();
       for (Link& link : links_) {
         if (link.is_silent) {
           end(Action::kReset, link, Direction::kToClient);
@@ -136,7 +131,7 @@ class FaultProxy {
 
   struct Link {
     host_files::FileDescriptor client;
-    host_files::FileDescriptor server;
+    host_files::FileDescriptor server;  ///< none if the client is kept in silence from the beginning
     bool is_silent = false;
     bool is_over = false;
     std::future<void> carried{};  ///< both directions have ended
@@ -210,16 +205,17 @@ class FaultProxy {
   void receiveClient(host_files::FileDescriptor client) {
     if (welcome_ == Welcome::kReset) {
       resetWhenClosed(client);
-    } else if (welcome_ == Welcome::kSilence) {
-      held_.push_back(std::move(client));
-    } else {
-      try {
-        Link& link = links_.emplace_back(Link{std::move(client), beginConnecting("127.0.0.1", target_port_)});
-        link.carried = std::async(std::launch::async, [this, &link] { carry(link); });
-        ++connections_;
-      } catch (const std::system_error&) {
-        // The server is unreachable: the client is turned away.
-      }
+      return;
+    }
+    try {
+      const bool is_silent = welcome_ == Welcome::kSilence;
+      host_files::FileDescriptor server =
+          is_silent ? host_files::FileDescriptor() : beginConnecting("127.0.0.1", target_port_);
+      Link& link = links_.emplace_back(Link{std::move(client), std::move(server), is_silent});
+      link.carried = std::async(std::launch::async, [this, &link] { carry(link); });
+      connections_ += is_silent ? 0 : 1;
+    } catch (const std::system_error&) {
+      // The server is unreachable: the client is turned away.
     }
   }
 
@@ -357,7 +353,6 @@ class FaultProxy {
   Conditions conditions_;
   std::deque<Fault> faults_;
   std::list<Link> links_;
-  std::vector<host_files::FileDescriptor> held_;  // clients that hear nothing
   std::size_t connections_ = 0;
   std::size_t faults_done_ = 0;
   TimePoint last_fault_;

@@ -43,9 +43,6 @@ class GoalWatch {
 
   ~GoalWatch() { handle_.reset(); }
 
-  GoalWatch(const GoalWatch&) = delete;
-  GoalWatch& operator=(const GoalWatch&) = delete;
-
   /// Null if the goal ends without feedback, or if none comes in time.
   FeedbackPtr waitForFeedback() {
     std::unique_lock<std::mutex> lock(mutex_);

@@ -34,9 +34,6 @@ class TopicListener {
 
   ~TopicListener() { subscriber_.shutdown(); }
 
-  TopicListener(const TopicListener&) = delete;
-  TopicListener& operator=(const TopicListener&) = delete;
-
   /// Waits until there are this many messages.
   /// @return all messages; fewer than `count` if they did not come in time
   std::vector<ConstPtr> waitForCount(std::size_t count, std::chrono::milliseconds timeout = kSafetyNet) {

@@ -8,8 +8,8 @@
 using namespace aibo_client;
 using std::chrono::milliseconds;
 using test_support::kSafetyNet;
+using version2_frames::describe;
 using version2_frames::makeFrame;
-using version2_frames::textOf;
 
 namespace {
 
@@ -30,7 +30,7 @@ TEST_F(Orders, ATargetWithASpeedFirstLimitsItsJointOverEachConnection) {
   for (int i = 0; i < 2; ++i) {
     ScriptedPeer peer = connectVersion2();
     client_.commandJoints({{1, 0.1, 2.0}, {2, 0.1}, {4, 0.1, 0.5}}, milliseconds(0));
-    EXPECT_EQ("V 0 1 0 0 0 0 30 132 128 4 0 0 0 0 7 161 32", textOf(peer.readRequest()))
+    EXPECT_EQ("V 0 1 0 0 0 0 30 132 128 4 0 0 0 0 7 161 32", describe(peer.readRequest()))
         << "joint 1 at 2 rad/s, joint 4 at 0.5 rad/s";
     EXPECT_EQ('J', peer.readRequest().header.kind);
   }
@@ -57,7 +57,7 @@ TEST_F(Orders, HaveTheirNumbersAndTheirTimes) {
   refuse('P');
   EXPECT_THROW(motion.get(), CommandException);
   client_.steer({0.0004, 0, -0.0004}, {TimePoint(), 79});
-  EXPECT_THAT(textOf(peer.readRequest()), testing::EndsWith(" 0 0 0 0 0 0 0 0")) << "zeros are never too old";
+  EXPECT_THAT(describe(peer.readRequest()), testing::EndsWith(" 0 0 0 0 0 0 0 0")) << "zeros are never too old";
   client_.commandJoints({{2, 0.1}}, milliseconds(0), {TimePoint(), 75});
   client_.steer({0, 0.1, 0}, {TimePoint(), 76});
   const std::string too_old =
@@ -162,7 +162,7 @@ TEST_F(Orders, DoNotOutliveTheConnection) {
   EXPECT_TRUE(recorder_.waitForState(ConnectionState::kDisconnected));
   ScriptedPeer next = connectVersion2(&client);
   client.commandLeds({{200, 1}});
-  EXPECT_EQ("L 0 200 1 0 0", textOf(next.readRequest())) << "the first that is sent";
+  EXPECT_EQ("L 0 200 1 0 0", describe(next.readRequest())) << "the first that is sent";
 }
 
 // The client's thread is kept in a callback, so that it finds both orders at once.

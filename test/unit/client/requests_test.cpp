@@ -141,7 +141,7 @@ class Requests : public ClientFixture {
     if (std::string("JSEPO").find(request.header.kind) != std::string::npos) {
       request.payload.erase(request.payload.begin(), request.payload.begin() + 4);
     }
-    return version2_frames::textOf(request);
+    return version2_frames::describe(request);
   }
 
   /// Waits for a request of version 1 of this size, as text.
@@ -255,7 +255,7 @@ TEST_F(Requests, WithoutAConnectionAreRefusedAndNotKept) {
   }
   ScriptedPeer peer = connectVersion2("L");
   client_.commandLeds({{200, 1}});
-  EXPECT_EQ("L 0 200 1 0 0", version2_frames::textOf(peer.readRequest())) << "the first that is sent";
+  EXPECT_EQ("L 0 200 1 0 0", version2_frames::describe(peer.readRequest())) << "the first that is sent";
 }
 
 TEST_F(Requests, ThatTheServerDoesNotKnowAreRefusedByName) {
@@ -348,7 +348,7 @@ TEST_F(Requests, OfSettingsAreSentOverEachConnection) {
     ScriptedPeer peer = connectVersion2();
     EXPECT_EQ("G 1 1;G 2 3;G 3 1;G 4 1;G 5 0;", peer.camera());
     for (const std::string each : {"W 60 1 2 0 3", "T 1 0 4", "Z 2 5 0 0 0 1 2 3 4", "Z 1 0 4 1 0", "A 1 1 1 31 64"}) {
-      EXPECT_EQ(each, version2_frames::textOf(peer.readRequest(), 8)) << connection;
+      EXPECT_EQ(each, version2_frames::describe(peer.readRequest(), 8)) << connection;
     }
   }
 }

@@ -32,7 +32,7 @@ class Version2SessionFixture : public SessionFixture {
       return "";
     }
     frame_ = version2_frames::split(bytes);
-    return version2_frames::textOf(frame_, longest);
+    return version2_frames::describe(frame_, longest);
   }
 
   /// The kinds of all requests that the session sends now.
