@@ -42,6 +42,7 @@ namespace po = boost::program_options;
 using std::chrono::milliseconds;
 using test_support::Action;
 using test_support::Conditions;
+using test_support::Direction;
 using test_support::FaultProxy;
 using test_support::Welcome;
 
@@ -164,9 +165,9 @@ Soak::Soak(const Options& options)
       robot_resources_(options.folder + "/robot.csv"),
       begin_(now()),
       proxy_(robot_.port(),
-             [this](char kind, const test_support::Bytes& payload) {
-               if (kind == 'j') {
-                 hear(payload);
+             [this](Direction direction, const test_support::Message& message) {
+               if (direction == Direction::kToClient && message.kind == 'j') {
+                 hear(message.payload);
                }
              }),
       driver_(kNamespace, proxy_.port(), {test_support::kByTcp}),

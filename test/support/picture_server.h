@@ -17,11 +17,12 @@
 #include <future>
 #include <list>
 #include <mutex>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "host_files/file_descriptor.h"
-#include "support/proxy/scanners.h"
+#include "support/proxy/scanner.h"
 #include "support/sockets.h"
 #include "support/test_pictures.h"
 #include "support/version2_frames.h"
@@ -106,12 +107,12 @@ class PictureServer {
   }
 
   void serve(Peer* peer) {
-    RequestScanner requests(version_ > 1);
+    Scanner requests(Direction::kToServer, version_ > 1);
     for (TimePoint next = steady_clock::now(); !peer->is_over && !is_stopping_;) {
       const Bytes flood = nextOfFlood();
       send(flood, peer);
-      std::vector<pollfd> polled = {{peer->socket.get(), POLLIN, 0}};
-      pollUntil(&polled, flood.empty() ? std::min(next, steady_clock::now() + kTick) : TimePoint());
+      const TimePoint::duration left = std::min<TimePoint::duration>(next - steady_clock::now(), kTick);
+      isReady(peer->socket, POLLIN, flood.empty() ? left : TimePoint::duration::zero());
       receive(&requests, peer);
       if (const TimePoint now = steady_clock::now(); now >= next) {
         sendWhatIsDue(peer);
@@ -129,19 +130,21 @@ class PictureServer {
     return bytes;
   }
 
-  void receive(RequestScanner* requests, Peer* peer) {
+  void receive(Scanner* requests, Peer* peer) {
     std::array<std::uint8_t, 4096> buffer;
     const ssize_t count = ::recv(peer->socket.get(), buffer.data(), buffer.size(), 0);
     if (count <= 0) {
       peer->is_over = peer->is_over || count == 0 || errno != EAGAIN;
       return;
     }
-    for (const Request& request : requests->feed(buffer.data(), static_cast<std::size_t>(count))) {
-      request.version2 ? answerVersion2(request, peer) : answerVersion1(request, peer);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+      if (const std::optional<Message> request = requests->take(buffer[i])) {
+        request->version2 ? answerVersion2(*request, peer) : answerVersion1(*request, peer);
+      }
     }
   }
 
-  void answerVersion1(const Request& request, Peer* peer) {
+  void answerVersion1(const Message& request, Peer* peer) {
     switch (request.kind) {
       case protocol::REQUEST_NEWER_VERSION:
         peer->version2 = version_ > 1;
@@ -165,7 +168,7 @@ class PictureServer {
   }
 
   // Accepts unknown requests, too: the reply repeats the request.
-  void answerVersion2(const Request& request, Peer* peer) {
+  void answerVersion2(const Message& request, Peer* peer) {
     Bytes reply = request.payload;
     switch (request.kind) {
       case protocol::version2::REQUEST_HELLO:

@@ -122,9 +122,11 @@ inline host_files::FileDescriptor acceptFrom(const host_files::FileDescriptor& l
 /// Waits until a socket is ready for this, or has ended.
 /// @param events POLLIN or POLLOUT
 /// @return false if it is not within this time
-inline bool isReady(const host_files::FileDescriptor& socket, short events, std::chrono::milliseconds time) {
+inline bool isReady(const host_files::FileDescriptor& socket, short events, std::chrono::nanoseconds time) {
   pollfd polled = {socket.get(), events, 0};
-  return ::poll(&polled, 1, static_cast<int>(time.count())) > 0;
+  const auto count = std::max<std::chrono::nanoseconds::rep>(time.count(), 0);
+  const timespec timeout = {count / 1000000000, count % 1000000000};
+  return ::ppoll(&polled, 1, &timeout, nullptr) > 0;
 }
 
 /// Sends all bytes.
@@ -146,14 +148,6 @@ bool sendAll(const host_files::FileDescriptor& socket, const std::uint8_t* bytes
     size -= static_cast<std::size_t>(sent);
   }
   return true;
-}
-
-/// Waits until one of these is ready, or until this time.
-inline void pollUntil(std::vector<pollfd>* polled, std::chrono::steady_clock::time_point end) {
-  const std::chrono::nanoseconds left = end - std::chrono::steady_clock::now();
-  const auto count = std::max<std::chrono::nanoseconds::rep>(left.count(), 0);
-  const timespec timeout = {count / 1000000000, count % 1000000000};
-  ::ppoll(polled->data(), polled->size(), &timeout, nullptr);
 }
 
 /// From now on, closing the socket resets the connection.

@@ -4,9 +4,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
-
-#include "support/sockets.h"
 
 namespace fault_bench {
 
@@ -25,10 +24,12 @@ RadioLink::~RadioLink() {
 
 void RadioLink::run() {
   while (!stopping_) {
-    std::vector<pollfd> polled = {{stop_event_.descriptor(), POLLIN, 0},
-                                  {stations_[0].descriptor, POLLIN, 0},
-                                  {stations_[1].descriptor, POLLIN, 0}};
-    test_support::pollUntil(&polled, nextEvent());
+    pollfd polled[] = {{stop_event_.descriptor(), POLLIN, 0},
+                       {stations_[0].descriptor, POLLIN, 0},
+                       {stations_[1].descriptor, POLLIN, 0}};
+    const std::chrono::nanoseconds left = nextEvent() - std::chrono::steady_clock::now();
+    const timespec timeout = {0, std::clamp<long>(left.count(), 0, 999999999)};
+    ::ppoll(polled, std::size(polled), &timeout, nullptr);
     takePackets(&stations_[0]);
     takePackets(&stations_[1]);
     carryPackets(std::chrono::steady_clock::now());

@@ -24,7 +24,7 @@
 
 #include "host_files/file_descriptor.h"
 #include "support/proxy/faults.h"
-#include "support/proxy/scanners.h"
+#include "support/proxy/scanner.h"
 #include "support/sockets.h"
 
 namespace test_support {
@@ -35,16 +35,16 @@ namespace test_support {
 /// Every function may be called from any thread.
 class FaultProxy {
  public:
-  using OnRequest = std::function<void(const Request& request)>;
+  using OnMessage = std::function<void(Direction direction, const Message& message)>;
 
   /// Begins to serve.
   /// @param target_port of the server, on 127.0.0.1
-  /// @param on_reply called on any thread with what the server replies and pushes, before the client gets it
-  /// @param on_request the same with what clients request
-  explicit FaultProxy(int target_port, OnReply on_reply = nullptr, OnRequest on_request = nullptr)
+  /// @param on_message called on any thread with each request, reply and push, before it is passed on; it must not use
+  ///   the proxy
+  explicit FaultProxy(
+      int target_port, OnMessage on_message = [](Direction, const Message&) {})
       : target_port_(target_port),
-        on_reply_(std::move(on_reply)),
-        on_request_(std::move(on_request)),
+        on_message_(std::move(on_message)),
         port_(portOf(bindTo("127.0.0.1", 0))),
         listener_(bindTo("127.0.0.1", port_)) {  // only an explicitly bound port stays reserved while nobody listens
     check(::listen(listener_.get(), SOMAXCONN) == 0, "listen");
@@ -141,8 +141,7 @@ class FaultProxy {
   struct Stream {
     Link& link;
     const Direction direction;
-    ReplyScanner replies;
-    RequestScanner requests{};
+    Scanner scanner{direction};
     std::minstd_rand random{};
     std::uint64_t offset = 0;  ///< of the next byte
     std::size_t dropped = 0;   ///< bytes still to drop
@@ -153,7 +152,7 @@ class FaultProxy {
     const host_files::FileDescriptor& receiver() const { return isToClient() ? link.client : link.server; }
     bool isAt(const Fault& fault) const {
       return fault.direction == direction &&
-             (fault.place == Place::kByte ? offset >= fault.offset : replies.indexInPicture() == fault.offset);
+             (fault.place == Place::kByte ? offset >= fault.offset : scanner.indexInPicture() == fault.offset);
     }
   };
 
@@ -220,9 +219,9 @@ class FaultProxy {
   }
 
   void carry(Link& link) {
-    Stream requests{link, Direction::kToServer, ReplyScanner()};
+    Stream requests{link, Direction::kToServer};
     std::thread carrier([&] { carry(&requests); });
-    Stream replies{link, Direction::kToClient, ReplyScanner(on_reply_)};
+    Stream replies{link, Direction::kToClient};
     carry(&replies);
     carrier.join();
     change([&] {
@@ -268,15 +267,11 @@ class FaultProxy {
 
   /// Changes bytes where faults say so, and cuts them where other faults take place.
   std::vector<Step> cut(const Bytes& bytes, Stream* stream) {
-    if (!stream->isToClient() && on_request_) {
-      const std::vector<Request> requests = stream->requests.feed(bytes.data(), bytes.size());
-      std::for_each(requests.begin(), requests.end(), on_request_);
-    }
     std::vector<Step> steps(1);
     const std::lock_guard<std::mutex> lock(mutex_);
     for (auto byte = bytes.begin(); byte != bytes.end() && !stream->link.is_over; ++byte, ++stream->offset) {
-      if (stream->isToClient()) {
-        stream->replies.take(*byte);
+      if (const std::optional<Message> message = stream->scanner.take(*byte)) {
+        on_message_(stream->direction, *message);
       }
       for (; !faults_.empty() && stream->isAt(faults_.front()); faults_.pop_front()) {
         make(faults_.front(), stream, &steps);
@@ -344,8 +339,7 @@ class FaultProxy {
   }
 
   const int target_port_;
-  const OnReply on_reply_;
-  const OnRequest on_request_;
+  const OnMessage on_message_;
   const int port_;
   mutable std::mutex mutex_;  // guards what follows, down to the thread
   host_files::FileDescriptor listener_;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "support/proxy/fault_proxy.h"
-#include "support/proxy/scanners.h"
+#include "support/proxy/scanner.h"
 #include "support/safety_net.h"
 
 namespace test_support {
@@ -25,10 +25,10 @@ class Recording {
 
   /// What the driver has requested of a version 2 server, in this order.
   /// @param kinds only requests of these kinds
-  std::vector<Request> requestsFromDriver(const std::string& kinds) const {
-    std::vector<Request> found;
+  std::vector<Message> requestsFromDriver(const std::string& kinds) const {
+    std::vector<Message> found;
     const std::lock_guard<std::mutex> lock(mutex_);
-    std::copy_if(requests_.begin(), requests_.end(), std::back_inserter(found), [&kinds](const Request& request) {
+    std::copy_if(requests_.begin(), requests_.end(), std::back_inserter(found), [&kinds](const Message& request) {
       return request.version2 && kinds.find(request.kind) != std::string::npos;
     });
     return found;
@@ -40,22 +40,19 @@ class Recording {
   }
 
  protected:
-  void recordReply(char kind, const Bytes& payload) {
+  void record(Direction direction, const Message& message) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (kind == protocol::REPLY_PICTURE) {
-      pictures_.push_back(payload);
+    if (direction == Direction::kToServer) {
+      requests_.push_back(message);
+    } else if (message.kind == protocol::REPLY_PICTURE) {
+      pictures_.push_back(message.payload);
     }
-  }
-
-  void recordRequest(const Request& request) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    requests_.push_back(request);
   }
 
  private:
   mutable std::mutex mutex_;  // guards what follows
   std::vector<Bytes> pictures_;
-  std::vector<Request> requests_;
+  std::vector<Message> requests_;
 };
 
 /// A proxy between a driver and a robot that passes every byte on, and remembers requests and pictures.
@@ -63,9 +60,7 @@ class RecordingProxy : public Recording, public FaultProxy {
  public:
   /// @param robot_port where the robot listens, on 127.0.0.1
   explicit RecordingProxy(int robot_port)
-      : FaultProxy(
-            robot_port, [this](char kind, const Bytes& payload) { recordReply(kind, payload); },
-            [this](const Request& request) { recordRequest(request); }) {}
+      : FaultProxy(robot_port, [this](Direction direction, const Message& message) { record(direction, message); }) {}
 
   /// While it is mute, nothing that the robot sends reaches the driver, though connections stay and are accepted.
   void setMute(bool mute) {
