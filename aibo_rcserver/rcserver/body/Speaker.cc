@@ -37,9 +37,8 @@ OSoundVectorData* VectorIn(RCRegion* region) {
 }  // namespace
 
 const int Speaker::VECTOR_SAMPLES;
-const int Speaker::MOST_ENDS;
 
-Speaker::Speaker() : vectors_(OPENR::DeleteSoundVectorData), volume_(VOLUME_OF_ROBOT), sound_(), number_of_ends_(0) {}
+Speaker::Speaker() : vectors_(OPENR::DeleteSoundVectorData), volume_(VOLUME_OF_ROBOT), sound_() {}
 
 const char* Speaker::Play(const PlayedSound& part) {
   const unsigned size = static_cast<unsigned>(part.samples_size / BYTES_PER_SAMPLE);
@@ -109,11 +108,8 @@ void Speaker::End(unsigned char how) {
     return;
   }
   sound_.is_playing = false;
-  if (number_of_ends_ < MOST_ENDS) {
-    const SoundEnd end = {how, sound_.begin, sound_.gaps, sound_.missing};
-    ends_[number_of_ends_] = end;
-    ++number_of_ends_;
-  }
+  const SoundEnd end = {how, sound_.begin, sound_.gaps, sound_.missing};
+  ends_.Add(end);
 }
 
 void Speaker::IsReady() {
@@ -124,16 +120,6 @@ void Speaker::IsReady() {
     End(END_REFUSED);
   }
   Send();
-}
-
-bool Speaker::TakeEnd(SoundEnd* end) {
-  if (number_of_ends_ == 0) {
-    return false;
-  }
-  *end = ends_[0];
-  ends_[0] = ends_[1];
-  --number_of_ends_;
-  return true;
 }
 
 bool Speaker::SetVolume(unsigned char step) {
@@ -154,7 +140,7 @@ unsigned char Speaker::Volume() const {
 
 void Speaker::ClientGone() {
   sound_ = Sound();
-  number_of_ends_ = 0;
+  ends_.Clear();
   if (volume_ != VOLUME_OF_ROBOT) {
     volume_ = VOLUME_OF_ROBOT;
     Open();  // if the robot refuses now, the next sound sets the volume

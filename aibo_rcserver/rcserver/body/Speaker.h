@@ -5,6 +5,7 @@
 #include <OPENR/OSubject.h>
 
 #include "protocol/sound_requests.h"
+#include "rcserver/Queue.h"
 #include "rcserver/body/Primitives.h"
 #include "rcserver/body/VectorPair.h"
 
@@ -37,7 +38,7 @@ class Speaker {
 
   /// Takes out the report of a sound that has ended.
   /// @return false if no sound has ended
-  bool TakeEnd(protocol::version2::SoundEnd* end);
+  bool TakeEnd(protocol::version2::SoundEnd* end) { return ends_.Take(end); }
 
   /// @param step 0..MAX_VOLUME, or VOLUME_OF_ROBOT
   /// @return false if the robot refuses; the console says why
@@ -49,9 +50,6 @@ class Speaker {
   void ClientGone();
 
  private:
-  // Two sounds can end before the reports are taken: one that a new sound replaces, and the new one.
-  static const int MOST_ENDS = 2;
-
   struct Sound {
     bool is_playing;
     bool has_last;          ///< the sound ends at `end`
@@ -80,8 +78,9 @@ class Speaker {
   unsigned char volume_;                                 ///< set by a client, or VOLUME_OF_ROBOT
   Sound sound_;                                          ///< the present sound, or the last one
   short samples_[protocol::version2::SPEAKER_CAPACITY];  ///< a ring, in which each sample has its place by its position
-  protocol::version2::SoundEnd ends_[MOST_ENDS];
-  int number_of_ends_;
+
+  // Two sounds can end before the reports are taken: one that a new sound replaces, and the new one.
+  Queue<protocol::version2::SoundEnd, 2> ends_;
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_BODY_SPEAKER_H

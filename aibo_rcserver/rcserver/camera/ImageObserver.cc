@@ -1,19 +1,17 @@
 #include "rcserver/camera/ImageObserver.h"
 
-const size_t ImageObserver::MAX_OWED;
+const int ImageObserver::MAX_OWED;
 const char ImageObserver::TOO_MANY_OWED[] = "too many pictures are owed already; wait until some have come";
 
-ImageObserver::ImageObserver()
-    : state_(IOS_IDLE), has_detail_(true), stream_order_(), oldest_owed_(0), number_of_owed_(0) {}
+ImageObserver::ImageObserver() : state_(IOS_IDLE), has_detail_(true), stream_order_() {}
 
 bool ImageObserver::RequestPicture(const PictureOrder& order) {
-  if (number_of_owed_ == MAX_OWED) {
+  if (owed_.IsFull()) {
     return false;
   }
-  PictureOrder& owed = owed_[(oldest_owed_ + number_of_owed_) % MAX_OWED];
-  owed = order;
+  PictureOrder owed = order;
   owed.is_of_stream = false;
-  ++number_of_owed_;
+  owed_.Add(owed);
   if (state_ != IOS_CONTINUOUS) {
     state_ = IOS_PICTURE;
   }
@@ -38,15 +36,14 @@ bool ImageObserver::ImageArrived(unsigned image_count, PictureOrder* order) {
     case IOS_IDLE:
       return false;
     case IOS_STOPSEND:
-      state_ = number_of_owed_ > 0 ? IOS_PICTURE : IOS_IDLE;
+      state_ = owed_.IsEmpty() ? IOS_IDLE : IOS_PICTURE;
       return false;
     case IOS_PICTURE:
-      TakeOldestOwed(order);
-      state_ = number_of_owed_ > 0 ? IOS_PICTURE : IOS_IDLE;
+      owed_.Take(order);
+      state_ = owed_.IsEmpty() ? IOS_IDLE : IOS_PICTURE;
       return true;
     case IOS_CONTINUOUS:
-      if (number_of_owed_ > 0) {
-        TakeOldestOwed(order);
+      if (owed_.Take(order)) {
         return true;
       }
       *order = stream_order_;
@@ -70,11 +67,5 @@ bool ImageObserver::Wants(const PictureOrder& order) const {
 
 void ImageObserver::ClientGone() {
   state_ = IOS_IDLE;
-  number_of_owed_ = 0;
-}
-
-void ImageObserver::TakeOldestOwed(PictureOrder* order) {
-  *order = owed_[oldest_owed_];
-  oldest_owed_ = (oldest_owed_ + 1) % MAX_OWED;
-  --number_of_owed_;
+  owed_.Clear();
 }

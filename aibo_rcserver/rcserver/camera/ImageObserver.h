@@ -5,6 +5,7 @@
 #include <stddef.h>
 
 #include "rcserver/Interval.h"
+#include "rcserver/Queue.h"
 
 // The names and comments of the states are those of the report, section 3.3.2.
 enum ImageObserverState {
@@ -30,7 +31,7 @@ class ImageObserver {
  public:
   /// Most pictures that can be owed at once: those of eight seconds. Only a client that floods the server reaches this
   /// limit.
-  static const size_t MAX_OWED = 256;
+  static const int MAX_OWED = 256;
 
   /// The error for a client whose picture RequestPicture() refuses.
   static const char TOO_MANY_OWED[];
@@ -74,15 +75,11 @@ class ImageObserver {
   void ClientGone();
 
  private:
-  void TakeOldestOwed(PictureOrder* order);
-
   ImageObserverState state_;
   bool has_detail_;
   PictureOrder stream_order_;
   Interval stream_interval_;
-  PictureOrder owed_[MAX_OWED];  ///< a ring buffer
-  size_t oldest_owed_;
-  size_t number_of_owed_;
+  Queue<PictureOrder, MAX_OWED> owed_;
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_CAMERA_IMAGE_OBSERVER_H

@@ -19,7 +19,7 @@ void EndReason::Describe(char* text) const {
   sprintf(text, format, joint);
 }
 
-OrderBook::OrderBook() : added_(0), taken_(0) {
+OrderBook::OrderBook() {
   for (int i = 0; i < MAX_LIVE; ++i) {
     live_[i].is_used = false;
   }
@@ -57,26 +57,15 @@ void OrderBook::End(int order, const EndReason& reason) {
   const OrderEnd& end = live_[order].end;
   live_[order].is_used = false;
   if (end.number != 0 || end.what == protocol::version2::ENDED_POSTURE) {
-    ends_[added_ % MAX_ENDS] = end;
-    ++added_;
-    taken_ = added_ - taken_ > MAX_ENDS ? added_ - MAX_ENDS : taken_;
+    ends_.Add(end);
   }
-}
-
-bool OrderBook::Take(OrderEnd* end) {
-  if (taken_ == added_) {
-    return false;
-  }
-  *end = ends_[taken_ % MAX_ENDS];
-  ++taken_;
-  return true;
 }
 
 void OrderBook::ClientGone() {
   for (int i = 0; i < MAX_LIVE; ++i) {
     live_[i].end.number = 0;
   }
-  taken_ = added_;
+  ends_.Clear();
   DemandLettingGo(NEW_CLIENT);
 }
 

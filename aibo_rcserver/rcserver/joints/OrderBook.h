@@ -5,6 +5,7 @@
 
 #include "protocol/text.h"
 #include "protocol/version2.h"
+#include "rcserver/Queue.h"
 #include "robot_model/robot_model.h"
 
 /// Why an order ends. This is a plain structure, so that constants need no constructor at start-up.
@@ -73,7 +74,7 @@ class OrderBook {
 
   /// Returns each end to be reported to the client once, the oldest first.
   /// @return false if there is none
-  bool Take(OrderEnd* end);
+  bool Take(OrderEnd* end) { return ends_.Take(end); }
 
   /// Forgets the ends that the client has not taken. The orders that go on do not belong to the next client, which must
   /// let go before the robot walks.
@@ -94,9 +95,7 @@ class OrderBook {
   };
 
   LiveOrder live_[MAX_LIVE];
-  OrderEnd ends_[MAX_ENDS];
-  unsigned added_;  ///< number of ends so far
-  unsigned taken_;  ///< how many of these ends have been taken
+  Queue<OrderEnd, MAX_ENDS> ends_;
   bool must_let_go_;
   char why_[MAX_TEXT_SIZE];
 };

@@ -105,8 +105,8 @@ WalkGuard::WalkGuard(const Gait& gait) : gait_(gait) {
 void WalkGuard::Forget() {
   pose_.x = pose_.y = 0;
   pose_.TurnTo(0);
-  poses_added_ = 0;
-  edges_added_ = 0;
+  poses_.Clear();
+  edges_.Clear();
   reports_without_floor_ = 0;
   reports_with_obstacle_ = 0;
   paw_without_floor_ = NO_PAW;
@@ -115,7 +115,7 @@ void WalkGuard::Forget() {
     reports_in_air_[i] = 0;
     has_touched_[i] = false;
   }
-  AddPose();
+  poses_.Add(pose_);
 }
 
 void WalkGuard::HaveWalked(const Velocity& walked, const Velocity& commanded, unsigned frames) {
@@ -125,10 +125,10 @@ void WalkGuard::HaveWalked(const Velocity& walked, const Velocity& commanded, un
   pose_.x = place.x;
   pose_.y = place.y;
   pose_.TurnTo(pose_.yaw + seconds * walked.turn);
-  const Pose& last = poses_[(poses_added_ - 1) % MOST_POSES];
+  const Pose& last = poses_.At(poses_.Size() - 1);
   if (!IsBlind(commanded) && (hypot(pose_.x - last.x, pose_.y - last.y) >= WAY_BETWEEN_POSES ||
                               fabs(pose_.yaw - last.yaw) >= TURN_BETWEEN_POSES)) {
-    AddPose();
+    poses_.Add(pose_);
   }
 }
 
@@ -289,9 +289,9 @@ WalkGuard::Pose WalkGuard::After(const Velocity& velocity) const {
 
 // True if the robot comes to an edge. A robot that is near one may walk away from it.
 bool WalkGuard::ComesToEdge(const Pose& then) const {
-  for (int i = 0; i < std::min<int>(edges_added_, MOST_EDGES); ++i) {
-    const double way = ToFeet(then, edges_[i]);
-    if (way < NEAREST_TO_EDGE && way < ToFeet(pose_, edges_[i])) {
+  for (int i = 0; i < edges_.Size(); ++i) {
+    const double way = ToFeet(then, edges_.At(i));
+    if (way < NEAREST_TO_EDGE && way < ToFeet(pose_, edges_.At(i))) {
       return true;
     }
   }
@@ -312,8 +312,8 @@ bool WalkGuard::LeavesGround(const Pose& then) const {
 // The distance of a place from the nearest spot where the feet have been.
 double WalkGuard::ToGround(const Place& place) const {
   double nearest = NOTHING_AHEAD;
-  for (int i = 0; i < std::min<int>(poses_added_, MOST_POSES); ++i) {
-    nearest = std::min(nearest, ToFeet(poses_[i], place));
+  for (int i = 0; i < poses_.Size(); ++i) {
+    nearest = std::min(nearest, ToFeet(poses_.At(i), place));
   }
   return nearest;
 }
@@ -341,17 +341,11 @@ WalkGuard::Place WalkGuard::Outside(const Pose& pose, const Place& inside) {
   return outside;
 }
 
-void WalkGuard::AddPose() {
-  poses_[poses_added_ % MOST_POSES] = pose_;
-  ++poses_added_;
-}
-
 void WalkGuard::AddEdge(const Place& place) {
-  for (int i = 0; i < std::min<int>(edges_added_, MOST_EDGES); ++i) {
-    if (hypot(place.x - edges_[i].x, place.y - edges_[i].y) < WAY_BETWEEN_EDGES) {
+  for (int i = 0; i < edges_.Size(); ++i) {
+    if (hypot(place.x - edges_.At(i).x, place.y - edges_.At(i).y) < WAY_BETWEEN_EDGES) {
       return;
     }
   }
-  edges_[edges_added_ % MOST_EDGES] = place;
-  ++edges_added_;
+  edges_.Add(place);
 }

@@ -3,6 +3,7 @@
 #define AIBO_RCSERVER_RCSERVER_WALK_WALK_GUARD_H
 
 #include "protocol/walk_requests.h"
+#include "rcserver/Queue.h"
 #include "rcserver/walk/Gait.h"
 #include "robot_model/head.h"
 #include "robot_model/legs.h"
@@ -96,17 +97,14 @@ class WalkGuard {
   double ToFeet(const Pose& pose, const Place& place) const;
   Place Corner(const Pose& pose, int corner) const;
   static Place Outside(const Pose& pose, const Place& inside);
-  void AddPose();
   void AddEdge(const Place& place);
 
   const Gait& gait_;
   Place front_corner_;  ///< where the left front foot steps at most, from the middle of the shoulders
   Place hind_corner_;
   Pose pose_;
-  Pose poses_[MOST_POSES];
-  int poses_added_;
-  Place edges_[MOST_EDGES];
-  int edges_added_;
+  Queue<Pose, MOST_POSES> poses_;
+  Queue<Place, MOST_EDGES> edges_;
   int reports_without_floor_;  ///< how many in a row
   int reports_with_obstacle_;
   double reach_;                                 ///< how far ahead of the middle of the shoulders the robot's nose is
