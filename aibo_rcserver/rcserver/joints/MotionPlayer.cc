@@ -34,7 +34,7 @@ const char* MotionPlayer::Play(const protocol::MotionName& name, size_t size, in
     sprintf(problem_, "%s %s", name, motion.Problem());
     return problem_;
   }
-  if (!FindsJointsFree(motion) || (commanded != NULL && !FindsJointsUncommanded(motion, commanded))) {
+  if (!FindsJointsFree(motion) || !FindsJointsUncommanded(motion, commanded)) {
     return problem_;
   }
   motion.DescribeChanges(planner_, changes_);

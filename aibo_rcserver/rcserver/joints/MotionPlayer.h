@@ -29,7 +29,7 @@ class MotionPlayer {
   /// @param repetitions not below 1
   /// @param leave_out true: play the motion without the joints that the robot does not have; false: refuse it
   /// @param commanded one element for each joint: true if it was commanded after the motion was requested. Such a
-  ///   command takes precedence over the motion. It is NULL if no joint was commanded
+  ///   command takes precedence over the motion
   /// @param number of the request of version 2, otherwise 0
   /// @return NULL, or an error text that tells the user why the motion is not played
   const char* Play(const protocol::MotionName& name, size_t size, int repetitions, bool leave_out,

@@ -112,9 +112,6 @@ class Gait {
   protocol::version2::Velocity LimitedForLegs(const protocol::version2::Velocity& wanted, double told) const {
     return Narrowed(wanted, told, parameters_.highest_of_legs, parameters_.fastest_of_legs);
   }
-  protocol::version2::Velocity LimitedForLegs(const protocol::version2::Velocity& wanted) const {
-    return LimitedForLegs(wanted, wanted.forward);
-  }
 
   /// The numbers of a step with this velocity.
   StepParameters StepAt(const protocol::version2::Velocity& velocity) const;

@@ -45,7 +45,8 @@ class AMotion : public ::testing::Test {
     std::memcpy(room, bytes.data(), bytes.size());
     protocol::MotionName motion_name;
     EXPECT_EQ(protocol::readMotionName(name.data(), name.size(), motion_name), nullptr);
-    const char* problem = player_->Play(motion_name, bytes.size(), repetitions, false, nullptr, 1);
+    const bool commanded[robot_model::MAX_JOINTS] = {};
+    const char* problem = player_->Play(motion_name, bytes.size(), repetitions, false, commanded, 1);
     return problem != nullptr ? problem : "";
   }
 

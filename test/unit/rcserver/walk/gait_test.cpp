@@ -50,7 +50,8 @@ class GaitTest : public ::testing::Test {
     for (int forward = -4; forward <= 4; ++forward) {
       for (int left = -4; left <= 4; ++left) {
         for (int turn = -4; turn <= 4; ++turn) {
-          velocities.push_back(gait_.LimitedForLegs({forward * 0.085, left * 0.035, turn * 0.6}));
+          const Velocity wanted = {forward * 0.085, left * 0.035, turn * 0.6};
+          velocities.push_back(gait_.LimitedForLegs(wanted, wanted.forward));
         }
       }
     }
