@@ -70,6 +70,5 @@ void OrderBook::ClientGone() {
 }
 
 void OrderBook::DemandLettingGo(const EndReason& why) {
-  must_let_go_ = true;
   why.Describe(why_);
 }

@@ -81,10 +81,10 @@ class OrderBook {
   void ClientGone();
 
   void DemandLettingGo(const EndReason& why);
-  void LetGo() { must_let_go_ = false; }
+  void LetGo() { why_[0] = '\0'; }
 
   /// Why the client must let go before the robot walks; NULL if it need not.
-  const char* WhyToLetGo() const { return must_let_go_ ? why_ : NULL; }
+  const char* WhyToLetGo() const { return why_[0] != '\0' ? why_ : NULL; }
 
  private:
   // An order that is being carried out.
@@ -96,8 +96,7 @@ class OrderBook {
 
   LiveOrder live_[MAX_LIVE];
   Queue<OrderEnd, MAX_ENDS> ends_;
-  bool must_let_go_;
-  char why_[MAX_TEXT_SIZE];
+  char why_[MAX_TEXT_SIZE];  ///< why the client must let go; empty if it need not
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_JOINTS_ORDER_BOOK_H
