@@ -578,10 +578,11 @@ void RCServer::UsePicture() {
     DropWithoutPicture(picture.problem);
     return;
   }
-  if (pictures_.Order().is_for_stick) {
+  if (pictures_.Order().purpose == PictureOrder::FOR_STICK) {
     session_->Stick().PictureTaken(picture.jpeg, picture.size);
     pictures_.DropPicture();
-  } else if (datagrams_.IsOn() && pictures_.Order().is_of_stream && session_->Pictures().Wants(pictures_.Order())) {
+  } else if (datagrams_.IsOn() && pictures_.Order().purpose == PictureOrder::FOR_STREAM &&
+             session_->Pictures().Wants(pictures_.Order())) {
     last_picture_ = Now();
     datagrams_.Send(pictures_.Header(), picture.jpeg, picture.size, Now());
     pictures_.DropPicture();

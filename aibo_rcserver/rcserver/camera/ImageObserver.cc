@@ -9,9 +9,7 @@ bool ImageObserver::RequestPicture(const PictureOrder& order) {
   if (owed_.IsFull()) {
     return false;
   }
-  PictureOrder owed = order;
-  owed.is_of_stream = false;
-  owed_.Add(owed);
+  owed_.Add(order);
   if (state_ != IOS_CONTINUOUS) {
     state_ = IOS_PICTURE;
   }
@@ -20,7 +18,6 @@ bool ImageObserver::RequestPicture(const PictureOrder& order) {
 
 void ImageObserver::StartStream(const PictureOrder& order, unsigned short every_nth_image) {
   stream_order_ = order;
-  stream_order_.is_of_stream = true;
   stream_interval_ = Interval(every_nth_image);
   state_ = IOS_CONTINUOUS;
 }
@@ -54,14 +51,14 @@ bool ImageObserver::ImageArrived(unsigned image_count, PictureOrder* order) {
 
 bool ImageObserver::TakeAgain(const PictureOrder& order, unsigned image_count) {
   const bool is_wanted = Wants(order);
-  if (is_wanted && order.is_of_stream) {
+  if (is_wanted && order.purpose == PictureOrder::FOR_STREAM) {
     stream_interval_.Replace(image_count);
   }
   return is_wanted;
 }
 
 bool ImageObserver::Wants(const PictureOrder& order) const {
-  return !order.is_of_stream ||
+  return order.purpose != PictureOrder::FOR_STREAM ||
          (state_ == IOS_CONTINUOUS && order.quality == stream_order_.quality && order.layer == stream_order_.layer);
 }
 

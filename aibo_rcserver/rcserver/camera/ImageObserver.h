@@ -16,11 +16,16 @@ enum ImageObserverState {
 };
 
 struct PictureOrder {
+  enum Purpose {
+    FOR_REQUEST,  ///< owed to an `F`
+    FOR_STICK,    ///< owed to an `M`: the picture is stored on the memory stick and not sent
+    FOR_STREAM
+  };
+
   unsigned char quality;          ///< JPEG quality, 0..100
   unsigned char layer;            ///< protocol::version2::Layer; always 0 in version 1
   unsigned short request_number;  ///< of the `F` that asked for the picture, in version 2; otherwise 0
-  bool is_of_stream;              ///< false: the picture is owed to an `F` or `M`
-  bool is_for_stick;              ///< the picture is owed to an `M`, so it is stored on the memory stick and not sent
+  Purpose purpose;
 };
 
 /// Decides which images of the camera become pictures, and of which kind.
@@ -43,7 +48,6 @@ class ImageObserver {
   void SetHasDetail(bool has_detail) { has_detail_ = has_detail; }
 
   /// `F`: one more picture is owed.
-  /// @param order the picture; its is_of_stream is ignored here and in the functions below
   /// @return false if MAX_OWED pictures are owed already, so that this one is not added
   bool RequestPicture(const PictureOrder& order);
 

@@ -8,8 +8,8 @@ using namespace protocol::version2;
 
 namespace {
 
-PictureOrder OrderOf(unsigned char quality, Layer layer, unsigned short request_number) {
-  const PictureOrder order = {quality, static_cast<unsigned char>(layer), request_number, false, false};
+PictureOrder OrderOf(unsigned char quality, Layer layer, unsigned short request_number, PictureOrder::Purpose purpose) {
+  const PictureOrder order = {quality, static_cast<unsigned char>(layer), request_number, purpose};
   return order;
 }
 
@@ -18,8 +18,8 @@ PictureOrder OrderOf(unsigned char quality, Layer layer, unsigned short request_
 void CameraRequests::TakePicture() {
   PictureRequest wanted;
   if (exchange_.Decode(&wanted) && MakesLayer(wanted.layer) &&
-      !pictures_.RequestPicture(
-          OrderOf(JpegQuality(exchange_.Id()), wanted.layer, exchange_.Request().request_number))) {
+      !pictures_.RequestPicture(OrderOf(JpegQuality(exchange_.Id()), wanted.layer, exchange_.Request().request_number,
+                                        PictureOrder::FOR_REQUEST))) {
     exchange_.Refuse(CODE_REFUSED, ImageObserver::TOO_MANY_OWED);
   }
 }
@@ -31,7 +31,7 @@ void CameraRequests::Stream() {
   }
   const unsigned char quality = JpegQuality(exchange_.Id());
   if (stream.on) {
-    pictures_.StartStream(OrderOf(quality, stream.layer, 0), stream.every_nth_image);
+    pictures_.StartStream(OrderOf(quality, stream.layer, 0, PictureOrder::FOR_STREAM), stream.every_nth_image);
   } else {
     pictures_.StopStream();
   }

@@ -159,7 +159,7 @@ bool StickRequests::LeavesOutMissingJoints() const {
 
 // Orders a picture, which PictureTaken() stores.
 FileOrder::Outcome StickRequests::OrderPicture() {
-  const PictureOrder order = {exchange_.Id(), LAYER_HIGH, exchange_.Request().request_number, false, true};
+  const PictureOrder order = {exchange_.Id(), LAYER_HIGH, exchange_.Request().request_number, PictureOrder::FOR_STICK};
   if (files_.Prepare() != FileOrder::PENDING) {
     return FileOrder::REFUSED;
   }

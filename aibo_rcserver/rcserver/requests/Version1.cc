@@ -55,11 +55,12 @@ void Version1::Send(char letter, unsigned char identifier, short value) {
 }
 
 bool Version1::Execute() {
-  const PictureOrder order = {limitJpegQuality(request_.basic.identifier), 0, 0, false, false};
+  PictureOrder order = {limitJpegQuality(request_.basic.identifier), 0, 0, PictureOrder::FOR_REQUEST};
   switch (request_.basic.command) {
     case REQUEST_PICTURE:
       return pictures_.RequestPicture(order);
     case REQUEST_STREAM_TOGGLE:
+      order.purpose = PictureOrder::FOR_STREAM;
       pictures_.IsStreaming() ? pictures_.StopStream() : pictures_.StartStream(order, 1);
       return true;
     case REQUEST_JOINT:

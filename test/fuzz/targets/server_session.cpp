@@ -342,7 +342,7 @@ class Server {
       return;
     }
     require(order.quality <= protocol::MAX_JPEG_QUALITY, "a quality is within its range");
-    if (order.is_for_stick) {
+    if (order.purpose == PictureOrder::FOR_STICK) {
       const Bytes jpeg(4500);
       session_.Stick().PictureTaken(jpeg.data(), jpeg.size());
       return;
