@@ -132,7 +132,7 @@ class ConnectionLoop {
   // Members that only the client's thread uses.
   Settings wanted_;  // the user's settings as last seen
   std::optional<Connection> connection_;
-  std::unique_ptr<Session> session_;  // null until the version of the protocol is known
+  std::unique_ptr<Session> session_;        // null until the version of the protocol is known
   TimePoint connected_ = TimePoint::max();  // when the connection was made; max without one
   bool heard_ = false;                      // the server has sent something
   TimePoint attempt_began_;                 // when the present or last attempt to connect began
