@@ -12,7 +12,6 @@ PictureIntake::PictureIntake(const ConnectionContext& context, TimePoint connect
     : context_(context),
       stall_detector_(connected),
       off_since_(connected),
-      quiet_since_(TimePoint::min()),
       last_sign_(connected) {}
 
 void PictureIntake::streamRequested(bool on, int quality, TimePoint now, const StreamFormat& format) {
@@ -27,7 +26,6 @@ void PictureIntake::streamRequested(bool on, int quality, TimePoint now, const S
   signOfPicture(now);
   if (!on) {
     off_since_ = now;
-    quiet_since_ = now;
   }
 }
 
@@ -35,10 +33,6 @@ void PictureIntake::bytesArrived(TimePoint now) {
   if (streaming_) {
     stall_detector_.bytesArrived(now);
   }
-}
-
-PictureIntake::TimePoint PictureIntake::drainedAt() const {
-  return quiet_since_ == TimePoint::min() ? quiet_since_ : quiet_since_ + kDrainTime;
 }
 
 std::shared_ptr<Picture> PictureIntake::inspect(std::vector<std::uint8_t> jpeg, TimePoint first_byte_time) {

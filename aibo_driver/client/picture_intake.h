@@ -23,9 +23,7 @@ class PictureIntake {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  /// After a stream was stopped, its pictures may still arrive. They have ended when none has come for this long.
-  static constexpr std::chrono::milliseconds kDrainTime{200};
-  /// If pictures of a stopped stream still arrive after this time, the stream has not been stopped.
+  /// After a stream was stopped, its pictures may still arrive. If they do after this time, it has not been stopped.
   static constexpr std::chrono::milliseconds kStopTime{1000};
 
   /// The longest time between two images of a camera. An ERS-210 takes 25 a second, some of them a frame of 8 ms late.
@@ -54,10 +52,8 @@ class PictureIntake {
   /// How much longer the next picture may take than it would if the stream had every image.
   std::chrono::milliseconds extraInterval() const { return (format_.every_nth_image - 1) * kLongestImageInterval; }
 
-  /// Call this when bytes of a picture have come although the stream is off and no picture was requested.
-  void lateBytes(TimePoint now) { quiet_since_ = now; }
-  /// If no more late bytes come, a picture that comes after this time can only be the answer to a request.
-  TimePoint drainedAt() const;
+  /// While the stream is off, a picture that comes after this time can only be the answer to a request.
+  TimePoint drainedAt() const { return quality_ == 0 ? off_since_ : off_since_ + kStopTime; }
 
   /// Turns the robot's bytes into a picture.
   /// @return null if it is damaged, which is counted and logged
@@ -81,8 +77,7 @@ class PictureIntake {
   bool streaming_ = false;
   int quality_ = 0;
   StreamFormat format_;
-  TimePoint off_since_;    // when the stream was switched off
-  TimePoint quiet_since_;  // when the last late bytes came; TimePoint::min() if there were none
+  TimePoint off_since_;  // when the stream was switched off
   TimePoint last_sign_;
   TimePoint last_first_byte_;
   std::string last_damage_;

@@ -206,12 +206,8 @@ void Version1Session::bytesArrived(const std::uint8_t* data, std::size_t size, T
         break;
     }
   }
-  if (parser_.betweenReplies()) {
-    return;
-  }
-  connection_.pictures.signOfPicture(now);
-  if (!connection_.pictures.streaming() && pendingPicture() == nullptr) {
-    connection_.pictures.lateBytes(now);
+  if (!parser_.betweenReplies()) {
+    connection_.pictures.signOfPicture(now);
   }
 }
 
@@ -225,9 +221,6 @@ void Version1Session::onPicture() {
     return;
   }
   Call* const pending = pendingPicture();
-  if (!pictures.streaming() && pending == nullptr) {
-    pictures.lateBytes(now_);
-  }
   const std::shared_ptr<Picture> picture = pictures.inspect(parser_.takeJpeg(), parser_.firstByteTime());
   if (!picture) {
     if (pending != nullptr) {
