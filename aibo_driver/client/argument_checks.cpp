@@ -7,8 +7,6 @@
 #include <set>
 
 #include "aibo_client/exceptions.h"
-#include "protocol/file_list.h"
-#include "protocol/motion_requests.h"
 #include "protocol/version2.h"
 
 namespace aibo_client {
@@ -141,14 +139,6 @@ void checkLedCommands(const std::vector<LedCommand>& leds) {
   for (const LedCommand& led : leds) {
     checkRange("the intensity of LED " + std::to_string(led.id), led.intensity, 0, 255);
   }
-}
-
-std::string checkedName(const std::string& name, protocol::version2::ReadFileName read) {
-  protocol::FileName checked;
-  if (const char* const problem = read(name.data(), name.size(), checked)) {
-    throw InvalidArgumentException("'" + name + "': " + problem);
-  }
-  return checked;
 }
 
 }  // namespace aibo_client

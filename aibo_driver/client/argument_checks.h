@@ -13,7 +13,6 @@
 #include "aibo_client/options.h"
 #include "aibo_client/parts.h"
 #include "aibo_client/walk.h"
-#include "protocol/fields.h"
 
 namespace aibo_client {
 
@@ -27,11 +26,6 @@ void checkJointSpeedLimits(const std::vector<JointSpeedLimit>& limits);
 void checkWalkVelocity(const WalkVelocity& velocity);
 void checkLedCommands(const std::vector<LedCommand>& leds);
 void checkColorTable(const ColorTable& table);
-
-/// Checks the name of a file.
-/// @param read protocol::readMotionName() or protocol::readPictureName()
-/// @return the name in capitals, as it is sent
-std::string checkedName(const std::string& name, protocol::version2::ReadFileName read);
 
 }  // namespace aibo_client
 

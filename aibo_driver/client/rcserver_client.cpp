@@ -9,10 +9,10 @@
 #include "aibo_client/exceptions.h"
 #include "aibo_client/jpeg_inspector.h"
 #include "client/argument_checks.h"
+#include "client/calls.h"
 #include "client/connection_loop.h"
 #include "client/units.h"
 #include "client/version1_requests.h"
-#include "protocol/big_endian.h"
 #include "protocol/file_list.h"
 #include "protocol/motion_requests.h"
 #include "protocol/sound_requests.h"
@@ -116,26 +116,6 @@ SoundPart placeOf(std::size_t size, std::uint64_t sound, bool is_last, Shared* s
   next.is_last = is_last;
   return part;
 }
-
-/// @name Requests that several functions make
-/// @{
-/// Puts samples into a call. If there are none, the call stops the sound.
-void setSamples(const SoundPart& part, const std::vector<std::int16_t>& samples, Call* call) {
-  Call::Bytes bytes(samples.size() * version2::BYTES_PER_SAMPLE);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    protocol::encodeBigEndian16(static_cast<unsigned short>(samples[i]), &bytes[i * version2::BYTES_PER_SAMPLE]);
-  }
-  call->payload = encoded(version2::PlayedSound{part.position, part.is_last, bytes.data(), bytes.size()});
-  call->sound_part = part;
-}
-
-/// @param name the name of a file, which is also in the payload
-template <typename Payload>
-Call callForFile(const version2::Request& request, Payload payload, const std::string& name, int id = 0) {
-  name.copy(payload.name, protocol::MAX_FILE_NAME_SIZE);
-  return makeCall(request, payload, name, id);
-}
-/// @}
 
 /// @name Replies that need more than their layout to be good
 /// @{
@@ -252,11 +232,7 @@ bool RcServerClient::streaming() const {
 }
 
 PicturePtr RcServerClient::takePicture(int quality, milliseconds timeout, std::optional<Resolution> resolution) {
-  checkRange("quality", quality, 0, 100);
-  const bool is_usual = resolution.value_or(Resolution::kHigh) == Resolution::kHigh;
-  Call call = makeCall(version2::TAKE_PICTURE, version2::NoPayload(), is_usual ? "" : "of this resolution");
-  call.quality = quality;
-  call.resolution = resolution;
+  Call call = callForPicture(quality, resolution);
   const auto promise = std::make_shared<std::promise<PicturePtr>>();
   auto result = promise->get_future();
   call.answer_with_picture = [promise](const PicturePtr& picture) { promise->set_value(picture); };
@@ -291,7 +267,7 @@ bool RcServerClient::setMotors(bool on, milliseconds timeout, const OrderTerms& 
 }
 
 std::future<bool> RcServerClient::beginMotors(bool on, milliseconds timeout, const OrderTerms& terms) {
-  Call call = makeCall(on ? version2::SWITCH_MOTORS_ON : version2::SWITCH_MOTORS_OFF, version2::MotorOrder{0, on});
+  Call call = callForMotors(on);
   if (on) {
     call.terms = {terms.not_after, 0};
   }
@@ -305,12 +281,7 @@ void RcServerClient::hold(const std::vector<int>& joints, milliseconds timeout) 
 }
 
 std::future<void> RcServerClient::beginHold(const std::vector<int>& joints, milliseconds timeout) {
-  checkJointsToHold(joints);
-  Call call = makeCall(version2::HOLD, version2::NoPayload(), "",
-                       joints.empty() ? version2::HOLD_EVERYTHING : version2::HOLD_JOINTS);
-  call.payload.assign(joints.begin(), joints.end());
-  call.joints = joints;
-  return exchange(loop_.get(), std::move(call), timeout);
+  return exchange(loop_.get(), callToHold(joints), timeout);
 }
 
 void RcServerClient::steer(const WalkVelocity& velocity, const OrderTerms& terms) {
@@ -336,8 +307,7 @@ void RcServerClient::takePosture(Posture posture, milliseconds timeout, const Or
 }
 
 std::future<void> RcServerClient::beginPosture(Posture posture, milliseconds timeout, const OrderTerms& terms) {
-  const auto id = static_cast<version2::Posture>(posture);
-  Call call = makeCall(version2::TAKE_POSTURE, version2::PostureOrder{0}, version2::postureName(id), id);
+  Call call = callForPosture(posture);
   call.terms = terms;
   return exchange(loop_.get(), std::move(call), timeout);
 }
@@ -361,9 +331,7 @@ std::string RcServerClient::playMotion(const std::string& name, int repetitions,
 
 std::future<std::string> RcServerClient::beginMotion(const std::string& name, int repetitions, milliseconds timeout,
                                                      const OrderTerms& terms) {
-  checkRange("repetitions", repetitions, 1, 65535);
-  const version2::MotionOrder order = {0, static_cast<unsigned short>(repetitions), ""};
-  Call call = callForFile(version2::PLAY_MOTION, order, checkedName(name, protocol::readMotionName), motion_bits_);
+  Call call = callToPlay(name, repetitions, motion_bits_);
   call.terms = terms;
   return exchange<version2::MotionChanges>(loop_.get(), std::move(call), timeout, [](const auto& changes) {
     return std::string(changes.text, changes.text_size);
@@ -371,26 +339,16 @@ std::future<std::string> RcServerClient::beginMotion(const std::string& name, in
 }
 
 void RcServerClient::stopMotion(const std::string& name, milliseconds timeout) {
-  const version2::Request& request = name.empty() ? version2::STOP_ALL_MOTIONS : version2::STOP_MOTION;
-  exchange(
-      waitable(loop_),
-      callForFile(request, version2::MotionOrder(), name.empty() ? "" : checkedName(name, protocol::readMotionName)),
-      timeout)
-      .get();
+  exchange(waitable(loop_), callToStop(name), timeout).get();
 }
 
 void RcServerClient::uploadMotion(const std::string& name, const std::vector<std::uint8_t>& content,
                                   milliseconds timeout) {
-  checkRange("the motion's size", static_cast<long long>(content.size()), 1, version2::MAX_MOTION_FILE_SIZE, " bytes");
-  const version2::MotionUpload upload = {"", content.data(), content.size()};
-  Call call = callForFile(version2::STORE_MOTION, upload, checkedName(name, protocol::readMotionName), motion_bits_);
-  exchange(waitable(loop_), std::move(call), timeout).get();
+  exchange(waitable(loop_), callToStore(name, content, motion_bits_), timeout).get();
 }
 
 void RcServerClient::deleteMotion(const std::string& name, milliseconds timeout) {
-  Call call =
-      callForFile(version2::DELETE_MOTION, version2::MotionToDelete(), checkedName(name, protocol::readMotionName));
-  exchange(waitable(loop_), std::move(call), timeout).get();
+  exchange(waitable(loop_), callToDelete(name), timeout).get();
 }
 
 std::vector<std::string> RcServerClient::listMotions(milliseconds timeout) {
@@ -398,10 +356,8 @@ std::vector<std::string> RcServerClient::listMotions(milliseconds timeout) {
 }
 
 std::string RcServerClient::takePictureOnRobot(int quality, milliseconds timeout) {
-  checkRange("quality", quality, 1, 100);
-  Call call = makeCall(version2::SAVE_PICTURE, version2::NoPayload(), "", quality);
   const auto read = [](const auto& picture) { return std::string(picture.name); };
-  return exchange<version2::StickPicture>(waitable(loop_), std::move(call), timeout, read).get();
+  return exchange<version2::StickPicture>(waitable(loop_), callToSavePicture(quality), timeout, read).get();
 }
 
 std::vector<std::string> RcServerClient::listPictures(milliseconds timeout) {
@@ -410,10 +366,8 @@ std::vector<std::string> RcServerClient::listPictures(milliseconds timeout) {
 }
 
 std::vector<std::uint8_t> RcServerClient::fetchPicture(const std::string& name, milliseconds timeout) {
-  Call call = callForFile(version2::FETCH_STICK_PICTURE, version2::StickPicture(),
-                          checkedName(name, protocol::readPictureName), version2::FETCH_PICTURE);
   const auto read = [](const auto& file) { return Call::Bytes(file.content, file.content + file.size); };
-  Call::Bytes file = exchange<version2::FetchedPicture>(waitable(loop_), std::move(call), timeout, read).get();
+  Call::Bytes file = exchange<version2::FetchedPicture>(waitable(loop_), callToFetchPicture(name), timeout, read).get();
   const JpegInspection found = inspectJpeg(file.data(), file.size());
   if (!found.good()) {
     throw CommandException(loop_->address() + " has sent " + name +
@@ -423,9 +377,7 @@ std::vector<std::uint8_t> RcServerClient::fetchPicture(const std::string& name, 
 }
 
 void RcServerClient::deletePicture(const std::string& name, milliseconds timeout) {
-  Call call = callForFile(version2::DELETE_STICK_PICTURE, version2::StickPicture(),
-                          checkedName(name, protocol::readPictureName), version2::DELETE_PICTURE);
-  exchange(waitable(loop_), std::move(call), timeout).get();
+  exchange(waitable(loop_), callToDeletePicture(name), timeout).get();
 }
 
 void RcServerClient::shutDownRobot(milliseconds timeout) {
@@ -442,30 +394,24 @@ SoundProgress RcServerClient::playSamples(std::uint64_t sound, const std::vector
   SoundProgress progress;
   const auto complete = [&](Shared* shared, Call* call) {
     const SoundPart part = placeOf(samples.size(), sound, is_last, shared);
-    setSamples(part, samples, call);
+    call->payload = callToPlaySamples(part, samples).payload;
+    call->sound_part = part;
     progress.sound = part.sound;
   };
   const auto read = [](const auto& room) { return std::min(room.samples, version2::SPEAKER_CAPACITY); };
-  Call call = makeCall(version2::PLAY_SOUND, version2::NoPayload(), "", version2::SOUND_SPEAKER);
-  progress.room = exchange<version2::SpeakerRoom>(waitable(loop_), std::move(call), timeout, read, complete).get();
+  progress.room =
+      exchange<version2::SpeakerRoom>(waitable(loop_), callToPlaySamples({}, {}), timeout, read, complete).get();
   return progress;
 }
 
 void RcServerClient::stopSound(milliseconds timeout) {
-  Call call = makeCall(version2::PLAY_SOUND, version2::NoPayload(), "", version2::SOUND_SPEAKER);
-  setSamples({0, 0, 0, true}, {}, &call);
   const auto complete = [](Shared* shared, Call* /*call*/) { shared->sound = SoundPart(); };
-  exchange(waitable(loop_), std::move(call), timeout, complete).get();
+  exchange(waitable(loop_), callToPlaySamples({0, 0, 0, true}, {}), timeout, complete).get();
 }
 
 int RcServerClient::setVolume(int volume, milliseconds timeout) {
-  if (volume != kVolumeOfRobot) {
-    checkRange("volume", volume, 0, kLoudestVolume);
-  }
-  Call call =
-      makeCall(version2::SET_VOLUME, version2::Volume{static_cast<unsigned char>(volume)}, "", version2::SOUND_VOLUME);
   const auto read = [](const auto& in_force) { return int{in_force.step}; };
-  return exchange<VolumeInForce>(waitable(loop_), std::move(call), timeout, read).get();
+  return exchange<VolumeInForce>(waitable(loop_), callForVolume(volume), timeout, read).get();
 }
 
 void RcServerClient::setTelemetryPeriod(int frames) {

@@ -7,15 +7,16 @@
 #include <vector>
 
 #include "aibo_client/jpeg_inspector.h"
+#include "client/calls.h"
 #include "client/fault.h"
 #include "client/version1_requests.h"
 #include "client/version1_session.h"
 #include "client/version2_session.h"
 #include "fuzz_input.h"
-#include "support/calls.h"
+#include "protocol/motion_requests.h"
+#include "protocol/stick_pictures.h"
 
 using namespace aibo_client;
-using namespace test_support;
 using std::chrono::milliseconds;
 
 namespace {
@@ -162,13 +163,13 @@ class Client {
       case 7:
         return callToHold(is_first ? std::vector<int>() : std::vector<int>{2, 52});
       case 8:
-        return callForPosture(is_first ? protocol::version2::POSTURE_STAND : protocol::version2::POSTURE_SIT);
+        return callForPosture(is_first ? Posture::kStand : Posture::kSit);
       case 9:
-        return makeCall(protocol::version2::SAVE_PICTURE);
+        return callToSavePicture(85);
       case 11:
-        return callToPlaySamples({++sounds_, 0, 2, is_first});
+        return callToPlaySamples({++sounds_, 0, 2, is_first}, {0, 0});
       case 12:
-        return callToPlaySamples({sounds_, 2, is_first ? 2U : 0U, true});
+        return callToPlaySamples({sounds_, 2, is_first ? 2U : 0U, true}, std::vector<std::int16_t>(is_first ? 2 : 0));
       default:
         return callToFetchPicture("AIBO0001.JPG");
     }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "aibo_client/rcserver_client.h"
+#include "client/calls.h"
 #include "support/refusal.h"
 
 using namespace aibo_client;
@@ -79,9 +80,9 @@ TEST(ArgumentChecksTest, EachSegmentOfAColorTableIsChecked) {
 }
 
 TEST(ArgumentChecksTest, NamesAreChecked) {
-  EXPECT_EQ("NOD.MTN", checkedName("nod.mtn", protocol::readMotionName));
+  EXPECT_EQ("NOD.MTN", callToPlay("nod.mtn").object);
   for (const std::string& name : {std::string("../NOD.MTN"), std::string("NOD"), std::string(), std::string(1, '\0')}) {
-    EXPECT_THROW(checkedName(name, protocol::readMotionName), InvalidArgumentException) << name;
+    EXPECT_THROW(callToPlay(name), InvalidArgumentException) << name;
   }
 }
 

@@ -9,9 +9,9 @@
 #include <future>
 
 #include "aibo_client/exceptions.h"
+#include "client/calls.h"
 #include "client/connection.h"
 #include "client/session.h"
-#include "support/calls.h"
 #include "support/refusal.h"
 #include "support/test_pictures.h"
 
@@ -74,7 +74,7 @@ class SessionFixture : public testing::Test {
 
   std::future<Answer> takePicture(int quality, milliseconds timeout = milliseconds(2000),
                                   std::optional<aibo_client::Resolution> resolution = {}) {
-    return add(test_support::callForPicture(quality, resolution), timeout);
+    return add(aibo_client::callForPicture(quality, resolution), timeout);
   }
 
   /// Orders are numbered from kFirstOrder on.

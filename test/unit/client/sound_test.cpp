@@ -52,7 +52,7 @@ class SoundTest : public Version2SessionFixture {
 
   /// Sends the samples.
   std::future<Answer> send(const SoundPart& part) {
-    auto answer = add(callToPlaySamples(part), milliseconds(2000));
+    auto answer = add(callToPlaySamples(part, std::vector<std::int16_t>(part.size)), milliseconds(2000));
     EXPECT_EQ("A 2", request(0));
     return answer;
   }

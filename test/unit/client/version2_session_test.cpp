@@ -3,6 +3,7 @@
 
 #include "client/fault.h"
 #include "protocol/big_endian.h"
+#include "protocol/motion_requests.h"
 #include "version2_fixture.h"
 
 using namespace aibo_client;
@@ -342,7 +343,7 @@ TEST_F(Version2SessionTest, LedsAndEarsWaitForTheAnswerBeforeAndThenTheLatestIsN
 /// All kinds of orders, with a velocity of 0 before.
 void giveAllOrders(NewSession* session, std::vector<std::future<Answer>>* answers) {
   const auto order = [&](Call call) { answers->push_back(session->order(std::move(call))); };
-  order(callForPosture(version2::POSTURE_SIT));
+  order(callForPosture(Posture::kSit));
   order(callToPlay("NOD.MTN"));
   order(callForMotors(true));
   session->steer({});
@@ -445,7 +446,7 @@ TEST_F(Version2SessionTest, EachOrderEndsOnceByItsNumber) {
     push('i', version2_frames::makeEnd(what, version2::END_DONE, "", "", number));
     return ended_.back().order;
   };
-  auto posture = order(callForPosture(version2::POSTURE_SIT), milliseconds(100));
+  auto posture = order(callForPosture(Posture::kSit), milliseconds(100));
   auto motion = order(callToPlay("NOD.MTN"), milliseconds(100));
   commandJoints({{2, 0.1}});
   std::vector<int> numbers;
@@ -469,9 +470,9 @@ TEST_F(Version2SessionTest, AnOrderIsRefusedByItsNumberAlsoIfNobodyWaits) {
   using Kind = RefusedRequest;
   for (const int code : {0, 5}) {
     const RefusalCause cause = code == 5 ? RefusalCause::kTooOld : RefusalCause::kRobot;
-    auto posture = order(callForPosture(version2::POSTURE_SIT));
+    auto posture = order(callForPosture(Posture::kSit));
     auto motion = order(callToPlay("NOD.MTN"), milliseconds(100));
-    auto unnumbered = add(callForPosture(version2::POSTURE_REST));
+    auto unnumbered = add(callForPosture(Posture::kRest));
     steer({0.1, 0, 0});
     std::vector<Frame> sent;
     for (const char letter : {'E', 'P', 'E', 'S'}) {
@@ -551,7 +552,7 @@ TEST_F(Version2SessionTest, OnlyAStopIsSentBeforeZeros) {
   auto motion = order(callToPlay("NOD.MTN"));
   steer({});
   auto held = add(callToHold({2}));
-  auto posture = order(callForPosture(version2::POSTURE_SIT));
+  auto posture = order(callForPosture(Posture::kSit));
   EXPECT_EQ("ISWE", requests());
 }
 
@@ -636,7 +637,7 @@ TEST(Version2Session, SendsAnOrderToStopBeforeEverythingElse) {
     session.commandLeds({{1, 255}});
     auto picture = session.takePicture(10);
     auto upload = session.add(callToStore("NOD.MTN", {1, 2, 3}));
-    auto samples = session.add(callToPlaySamples({1, 0, 3, false}));
+    auto samples = session.add(callToPlaySamples({1, 0, 3, false}, {0, 0, 0}));
     auto stop = session.add(letter == 'I' ? callToHold({}) : callForMotors(false));
     EXPECT_EQ(letter == 'I' ? "I 0" : "O 0 0 0 0 0 0", session.request());
     session.answer(letter == 'I' ? Bytes() : Bytes{0});
@@ -665,7 +666,7 @@ TEST(Version2Session, DropsWaitingOrdersAsInThisTable) {
       return std::future<Answer>();
     };
   };
-  const auto sit = order([] { return callForPosture(version2::POSTURE_SIT); });
+  const auto sit = order([] { return callForPosture(Posture::kSit); });
   const auto play_nod = order([] { return callToPlay("NOD.MTN"); });
   const auto motors_on = [](NewSession& session) {
     Call made = callForMotors(true);
