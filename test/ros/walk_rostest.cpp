@@ -66,7 +66,7 @@ class Walker : public JointUser {
   // The time that the driver let pass between its last two velocities for the robot, in the robot's frames: each has
   // the last frame in which it counts.
   unsigned framesBeforeLastVelocity() const {
-    const std::vector<test_support::Request> sent = proxy.requestsFromDriver("S");
+    const std::vector<test_support::Message> sent = proxy.requestsFromDriver("S");
     const auto last = [&sent](std::size_t back) {
       return protocol::decodeBigEndian32(sent.at(sent.size() - back).payload.data());
     };
