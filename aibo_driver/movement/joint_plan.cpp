@@ -237,10 +237,8 @@ Trajectory JointPlan::plan(const Job& job, SteadyTime now) const {
           " s ago, and a trajectory needs to know where it is: at most " + text::decimal(seconds(job.oldest), 1) +
           " s are allowed. Does joint_states still come, and is telemetry_rate above 0?");
     }
-    if (planned) {
-      start.push_back(*planned);
-    } else if (measured) {
-      start.push_back({*joint, measured->position, 0});
+    if (measured) {
+      start.push_back(planned.value_or(Trajectory::Start{*joint, measured->position, 0}));
     }
   }
   return Trajectory(dropPassedPoints(job.request, -ahead), table_, start);

@@ -704,6 +704,7 @@ TEST(Trajectory, IsRefusedUnlessItsJointsAreMeasured) {
   }
   Robot robot;
   robot.measured.clear();
+  robot.command("head_pan", 0.2);
   EXPECT_THAT(textOf(robot.follow("head_pan", 0.5)), HasSubstr("telemetry_rate above 0?"));
 }
 
