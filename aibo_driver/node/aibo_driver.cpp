@@ -193,6 +193,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
     letItGetUp(name);
   }
   policy_.decide();
+  client_.setMicrophone(microphone_.settings());
   client_.start();
   for (CallbackThreads* const each : threads_) {
     each->start();

@@ -62,11 +62,9 @@ TEST(Microphone, IsOpenedWithItsParametersAndAGapIsSilenceInAudio) {
                                      {}, AIBO_DRIVER_NODE_WITH_ALL);
   test_support::ScriptedPeer robot = server.accept();
   robot.agreeToVersion2("F A");
+  EXPECT_EQ(nextSettings(&robot).mode, version2::SOUND_FIRST) << "before somebody listens";
   TopicListener<audio_common_msgs::AudioDataStamped> audio("/gap/audio");
-  version2::MicrophoneSettings settings = nextSettings(&robot);
-  while ((settings.mode & version2::MICROPHONE_ON) == 0) {  // the driver sends the priority before this
-    settings = nextSettings(&robot);
-  }
+  const version2::MicrophoneSettings settings = nextSettings(&robot);
   EXPECT_EQ(settings.mode, version2::MICROPHONE_ON | version2::SOUND_FIRST);
   EXPECT_EQ(settings.channels, 1);
   std::vector<std::uint8_t> samples(2 * version2::SAMPLES_PER_FRAME);

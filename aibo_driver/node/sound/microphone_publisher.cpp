@@ -5,8 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#if __has_include(<audio_common_msgs/AudioDataStamped.h>)
-#define AIBO_DRIVER_HAS_AUDIO
+#ifdef HAS_AUDIO_COMMON_MSGS
 #include <audio_common_msgs/AudioDataStamped.h>
 #endif
 
@@ -15,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t kSoundQueueSize = 64;  // messages, which last for a second
 
-#ifdef AIBO_DRIVER_HAS_AUDIO
+#ifdef HAS_AUDIO_COMMON_MSGS
 audio_common_msgs::AudioDataStamped toAudio(const Sound& sound) {
   audio_common_msgs::AudioDataStamped message;
   message.header = sound.header;
@@ -35,17 +34,22 @@ audio_common_msgs::AudioDataStamped toAudio(const Sound& sound) {
 MicrophonePublisher::MicrophonePublisher(const ros::NodeHandle& handle, const DriverParameters& parameters,
                                          robot_time::RobotClock* robot_clock,
                                          const std::function<void(const aibo_client::MicrophoneSettings&)>& listen)
-    : frame_id_(parameters.frame("base_link")), stamper_(robot_clock, parameters.time_offset) {
-  const ros::SubscriberStatusCallback on_change =
-      [this, listen, channels = parameters.microphone_channels,
-       priority = parameters.sound_priority](const ros::SingleSubscriberPublisher&) {
-        listen({hasSubscribers(), channels, aibo_client::kSoundRate, priority});
-      };
+    : frame_id_(parameters.frame("base_link")),
+      channels_(parameters.microphone_channels),
+      priority_(parameters.sound_priority),
+      stamper_(robot_clock, parameters.time_offset) {
+  const ros::SubscriberStatusCallback on_change = [this, listen](const ros::SingleSubscriberPublisher&) {
+    listen(settings());
+  };
   ros::NodeHandle topics(handle);
   microphone_ = topics.advertise<Sound>("microphone", kSoundQueueSize, on_change, on_change);
-#ifdef AIBO_DRIVER_HAS_AUDIO
+#ifdef HAS_AUDIO_COMMON_MSGS
   audio_ = topics.advertise<audio_common_msgs::AudioDataStamped>("audio", kSoundQueueSize, on_change, on_change);
 #endif
+}
+
+aibo_client::MicrophoneSettings MicrophonePublisher::settings() const {
+  return {hasSubscribers(), channels_, aibo_client::kSoundRate, priority_};
 }
 
 void MicrophonePublisher::publish(const aibo_client::HeardSound& sound) {
@@ -58,7 +62,7 @@ void MicrophonePublisher::publish(const aibo_client::HeardSound& sound) {
   message.channels = static_cast<std::uint8_t>(sound.channels);
   message.samples = sound.samples;
   microphone_.publish(message);
-#ifdef AIBO_DRIVER_HAS_AUDIO
+#ifdef HAS_AUDIO_COMMON_MSGS
   audio_.publish(toAudio(message));
 #endif
 }

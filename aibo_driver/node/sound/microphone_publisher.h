@@ -31,10 +31,15 @@ class MicrophonePublisher {
   /// Publishes a piece of sound. It never blocks.
   void publish(const aibo_client::HeardSound& sound);
 
+  /// What the robot should send now.
+  aibo_client::MicrophoneSettings settings() const;
+
   bool hasSubscribers() const { return microphone_.getNumSubscribers() > 0 || audio_.getNumSubscribers() > 0; }
 
  private:
   const std::string frame_id_;
+  const int channels_;
+  const bool priority_;
   RobotStamper stamper_;
   ros::Publisher microphone_;
   ros::Publisher audio_;  ///< has no subscribers without audio_common_msgs
