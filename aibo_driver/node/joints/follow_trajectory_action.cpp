@@ -1,6 +1,6 @@
 #include "node/actions.h"
 
-#if __has_include(<control_msgs/FollowJointTrajectoryAction.h>)
+#ifdef HAS_CONTROL_MSGS
 #include <control_msgs/FollowJointTrajectoryAction.h>
 
 #include <algorithm>
