@@ -255,8 +255,9 @@ aibo_client::Callbacks AiboDriver::makeCallbacks() {
   callbacks.on_heard = [this](const aibo_client::HeardSound& sound) { microphone_.publish(sound); };
   callbacks.on_sound_ended = [this](const aibo_client::SoundEnd& end) { player_.ended(end); };
   callbacks.on_leds_accepted = [this](const std::vector<aibo_client::LedCommand>& leds) {
-    leds_.accept(leds);
-    led_states_.publish(leds_.states());
+    if (leds_.accept(leds)) {
+      led_states_.publish(leds_.states());
+    }
   };
   callbacks.on_steered = [this](const aibo_client::WalkVelocity& in_force, std::uint64_t order, std::uint64_t walk) {
     mover_.steered(in_force, order, walk);

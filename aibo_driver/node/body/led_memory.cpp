@@ -33,7 +33,8 @@ bool LedMemory::update(const aibo_client::ConnectionStatus& status) {
   return true;
 }
 
-void LedMemory::accept(const std::vector<LedCommand>& leds) {
+bool LedMemory::accept(const std::vector<LedCommand>& leds) {
+  bool is_changed = false;
   for (const LedCommand& command : leds) {
     const int led = robot_model::findLedByIdentifier(model_, command.id);
     if (led == robot_model::NO_LED) {
@@ -42,9 +43,13 @@ void LedMemory::accept(const std::vector<LedCommand>& leds) {
     const auto index = static_cast<std::size_t>(led);
     const bool is_on_or_off = model_.leds[led].kind == robot_model::LED2;
     const float intensity = static_cast<float>(command.intensity) / kHighestIntensity;
-    states_.intensities[index] = is_on_or_off ? std::ceil(intensity) : intensity;
-    states_.modes[index] = !is_on_or_off && command.mode == LedMode::kB ? LedStates::MODE_B : LedStates::MODE_A;
+    const float shown = is_on_or_off ? std::ceil(intensity) : intensity;
+    const auto mode = !is_on_or_off && command.mode == LedMode::kB ? LedStates::MODE_B : LedStates::MODE_A;
+    is_changed = is_changed || states_.intensities[index] != shown || states_.modes[index] != mode;
+    states_.intensities[index] = shown;
+    states_.modes[index] = mode;
   }
+  return is_changed;
 }
 
 void LedMemory::setAll(float intensity) {

@@ -26,7 +26,8 @@ class LedMemory {
   bool update(const aibo_client::ConnectionStatus& status);
 
   /// Notes LEDs that the robot has accepted. LEDs that this robot does not have are ignored.
-  void accept(const std::vector<aibo_client::LedCommand>& leds);
+  /// @return true if a state has changed
+  bool accept(const std::vector<aibo_client::LedCommand>& leds);
 
   /// The message has no stamp.
   const LedStates& states() const { return states_; }

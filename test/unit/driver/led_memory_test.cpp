@@ -48,7 +48,8 @@ TEST_F(LedMemoryTest, KnowsThatARobotThatWasConnectedHasSwitchedThemOff) {
 
 TEST_F(LedMemoryTest, KnowsOfAVersion1ServerOnlyWhatItAccepted) {
   connect(1);
-  memory_.accept({{7, 51}});
+  EXPECT_TRUE(memory_.accept({{7, 51}}));
+  EXPECT_FALSE(memory_.accept({{7, 51}})) << "nothing is different";
   EXPECT_FLOAT_EQ(intensity(7), 0.2F);
   EXPECT_TRUE(std::isnan(intensity(8)));
 }
