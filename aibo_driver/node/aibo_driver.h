@@ -123,6 +123,7 @@ class AiboDriver {
 
   // The client's callbacks need these members.
   text::ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
+  text::ThrottledWarnings design_warnings_{[](const std::string& text) { ROS_WARN_STREAM(text); }};
   robot_time::RobotClock robot_clock_;
   RobotStamper telemetry_stamper_;
   movement::JointTable joint_table_;
