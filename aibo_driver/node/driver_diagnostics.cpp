@@ -245,7 +245,7 @@ void DriverDiagnostics::reportSound(DiagnosticStatusWrapper& status) {
 
 void DriverDiagnostics::reportPower(DiagnosticStatusWrapper& status) {
   const bool connected = sources_.client.status().state == ConnectionState::kConnected;
-  sources_.power.report(connected && sources_.settings.telemetryPeriod() != 0, status);
+  sources_.power.report(connected && sources_.settings.telemetryPeriod() != 0, client_.connections, status);
 }
 
 }  // namespace aibo_driver::node

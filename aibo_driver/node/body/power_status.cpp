@@ -61,7 +61,7 @@ void PowerStatus::update(const aibo_client::Telemetry& telemetry) {
   updateFrom(telemetry, model_, "temperature", &temperature_);
 }
 
-void PowerStatus::report(bool asked, DiagnosticStatusWrapper& status) const {
+void PowerStatus::report(bool asked, std::uint64_t connection, DiagnosticStatusWrapper& status) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   const std::string last = charge_ ? "battery at " + rounded(100 * *charge_, "%") : "";
   if (!asked) {
@@ -69,14 +69,15 @@ void PowerStatus::report(bool asked, DiagnosticStatusWrapper& status) const {
                                              (last.empty() ? "" : "; last measured: " + last));
     return;
   }
-  if (!charge_) {
-    status.summary(DiagnosticStatus::WARN, "the robot does not report its battery: does its RCServer support sensors?");
-  } else {
+  const bool is_present = connection == connection_;
+  if (is_present && charge_) {
     status.summary(DiagnosticStatus::OK, last);
     status.addf("charge, %", "%.0f", 100 * *charge_);
     warnOfCharge(*charge_, status);
+  } else {
+    status.summary(DiagnosticStatus::WARN, "the robot does not report its battery: does its RCServer support sensors?");
   }
-  if (temperature_) {
+  if (is_present && temperature_) {
     status.addf("temperature, degrees Celsius", "%.1f", *temperature_);
     warnOfTemperature(*temperature_, status);
   }

@@ -33,7 +33,8 @@ class PowerStatus {
   void update(const aibo_client::Telemetry& telemetry);
 
   /// @param asked whether the robot is connected and was asked for telemetry; only then is silence a fault
-  void report(bool asked, diagnostic_updater::DiagnosticStatusWrapper& status) const;
+  /// @param connection the number of the present connection; values of an earlier one do not count as measured
+  void report(bool asked, std::uint64_t connection, diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
  private:
   const robot_model::RobotModel& model_;

@@ -15,9 +15,11 @@ constexpr int kBattery = 66;
 constexpr int kTemperature = 67;
 constexpr int kOther = 55;
 constexpr bool kAsked = true;
+constexpr std::uint64_t kConnection = 3;
 
 aibo_client::Telemetry telling(std::vector<aibo_client::SensorReading> sensors) {
   aibo_client::Telemetry telemetry;
+  telemetry.connection_number = kConnection;
   telemetry.sensors = std::move(sensors);
   telemetry.sensors.insert(telemetry.sensors.begin(), {kOther, 0.33});
   return telemetry;
@@ -25,7 +27,7 @@ aibo_client::Telemetry telling(std::vector<aibo_client::SensorReading> sensors) 
 
 DiagnosticStatusWrapper reportOf(const PowerStatus& power, bool asked = kAsked) {
   DiagnosticStatusWrapper status;
-  power.report(asked, status);
+  power.report(asked, kConnection, status);
   return status;
 }
 
@@ -83,10 +85,10 @@ TEST(PowerStatus, OfALostConnectionIsTheLastOneUntilTheNextMeasurement) {
   power.update(telling({{kBattery, 0.05}, {kTemperature, 70}}));
   EXPECT_THAT(reportOf(power, !kAsked).message, HasSubstr("last measured: battery at 5 %"));
   EXPECT_EQ(reportOf(power, !kAsked).level, DiagnosticStatus::OK);
-  aibo_client::Telemetry next = telling({{kBattery, 0.9}});
-  ++next.connection_number;
-  power.update(next);
-  EXPECT_EQ(reportOf(power).level, DiagnosticStatus::OK) << "the next robot has not told its temperature yet";
+  DiagnosticStatusWrapper after_reconnect;
+  power.report(kAsked, kConnection + 1, after_reconnect);
+  EXPECT_THAT(after_reconnect.message, HasSubstr("does not report its battery"));
+  EXPECT_EQ(after_reconnect.level, DiagnosticStatus::WARN);
 }
 
 }  // namespace
