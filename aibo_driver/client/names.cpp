@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "aibo_client/exceptions.h"
+#include "protocol/walk_requests.h"
 #include "robot_model/robot_model.h"
 
 namespace aibo_client {
@@ -84,6 +85,10 @@ std::string nameOfSensor(int id, const std::string& design) {
 
 std::string nameOfLed(int id, const std::string& design) {
   return nameOf("LED", id, ledsOf(design));
+}
+
+std::string nameOfPosture(Posture posture) {
+  return protocol::version2::postureName(static_cast<protocol::version2::Posture>(posture));
 }
 
 }  // namespace aibo_client

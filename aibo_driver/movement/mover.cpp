@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "aibo_client/exceptions.h"
+#include "aibo_client/names.h"
 #include "text/number.h"
 #include "text/plain_text.h"
 
@@ -32,8 +33,6 @@ using std::chrono::milliseconds;
 constexpr const char* kLetGoFirst = "; let go first";
 
 constexpr const char* kNeverWalked = "it was let go before the robot walked";
-
-constexpr const char* kPostures[] = {"", "stand", "sit", "rest"};  // by the number of aibo_client::Posture
 
 OrderTerms termsOf(const Order& order, std::uint64_t number) {
   return {order.received + Mover::kLongestWait, number};
@@ -222,7 +221,7 @@ Mover::Answer Mover::takePosture(const Order& order, Posture posture) {
     return answerOf(book_.begin(*movement, number));
   };
   const Answer begun =
-      give(order, Kind::kPosture, kPostures[static_cast<int>(posture)], {}, act, posture == Posture::kRest);
+      give(order, Kind::kPosture, aibo_client::nameOfPosture(posture), {}, act, posture == Posture::kRest);
   return await(begun, &answer);
 }
 

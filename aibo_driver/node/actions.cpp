@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <map>
 
+#include "aibo_client/names.h"
 #include "node/goal_server.h"
 #include "node/joints/motion_state_publisher.h"
 #include "node/services.h"
@@ -88,14 +88,13 @@ auto lookFor(const movement::Mover::Answer& begun, const std::string& done, cons
 }
 
 Posture postureNamed(const std::string& name) {
-  static const std::map<std::string, Posture> kPostures = {
-      {"stand", Posture::kStand}, {"sit", Posture::kSit}, {"rest", Posture::kRest}};
-  const auto found = kPostures.find(name);
-  if (found == kPostures.end()) {
-    throw aibo_client::InvalidArgumentException("there is no posture '" + text::plainLine(name) +
-                                                "'; there are stand, sit and rest.");
+  for (const Posture posture : {Posture::kStand, Posture::kSit, Posture::kRest}) {
+    if (aibo_client::nameOfPosture(posture) == name) {
+      return posture;
+    }
   }
-  return found->second;
+  throw aibo_client::InvalidArgumentException("there is no posture '" + text::plainLine(name) +
+                                              "'; there are stand, sit and rest.");
 }
 
 // Returns a function that ends a movement when its goal is cancelled.
@@ -127,13 +126,12 @@ Action startPlaySound(const ros::NodeHandle& handle, sound::Player& player) {
     }
     const std::shared_ptr<sound::Playback> playback =
         player.play(goal.file.empty() ? sound::speak(goal.text, goal.voice) : sound::openSoundFile(goal.file));
-    const auto look =
-        [playback, fill = timeSinceNow()](const Playing::Publish& publish) -> std::optional<GoalEnd<PlaySoundAction>> {
+    const auto look = [playback](const Playing::Publish& publish) -> std::optional<GoalEnd<PlaySoundAction>> {
       if (const std::optional<sound::PlayedSound> end = playback->end()) {
         return goalEnd<PlaySoundAction>(end->how, end->message);
       }
       PlaySoundFeedback feedback;
-      fill(&feedback);
+      feedback.time = ros::Duration(playback->time().count());
       publish(feedback);
       return std::nullopt;
     };
@@ -144,13 +142,13 @@ Action startPlaySound(const ros::NodeHandle& handle, sound::Player& player) {
 
 Action startGoTo(const ros::NodeHandle& handle, GoalWalks& walks, movement::Mover& mover) {
   const auto begin = [&](const GoToGoal& goal, const Order& order) -> Activity<GoToAction> {
-    const movement::Mover::Answer begun = walks.begin(goal.pose, order);
-    const auto what_is_left = [&walks](GoToFeedback* feedback) {
-      feedback->distance = walks.distanceLeft();
-      feedback->turn = walks.turnLeft();
+    const GoalWalks::Begun begun = walks.begin(goal.pose, order);
+    const auto what_is_left = [left = begun.left](GoToFeedback* feedback) {
+      feedback->distance = left->distance;
+      feedback->turn = left->turn;
     };
-    return {"The robot walks to the goal", cancelling(&mover, begun.id),
-            lookFor<GoToAction>(begun, "The robot is there", what_is_left)};
+    return {"The robot is told to walk to the goal", cancelling(&mover, begun.answer.id),
+            lookFor<GoToAction>(begun.answer, "The robot is there", what_is_left)};
   };
   return start<GoToAction>(handle, "go_to", "The robot does not walk to the goal", begin);
 }

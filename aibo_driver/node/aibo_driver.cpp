@@ -295,8 +295,7 @@ void AiboDriver::stayStopped() {
 
 // Lets the robot get up, on a thread that may wait for the robot's answer.
 void AiboDriver::letItGetUp(const std::string& source) {
-  constexpr bool kOneShot = true;
-  get_up_timer_ = makeTimer(pool_.handle(), kAtOnce, kOneShot, [this, source] {
+  get_up_timer_ = makeOneShotTimer(pool_.handle(), kAtOnce, [this, source] {
     ROS_INFO("The robot has fallen, and is told to get up.");
     mover_.takePosture({source, std::chrono::steady_clock::now()}, aibo_client::Posture::kStand);
   });

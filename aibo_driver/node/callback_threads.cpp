@@ -40,6 +40,13 @@ class Received : public ros::CallbackInterface {
   const ReceiptClock::TimePoint time_;
 };
 
+ros::SteadyTimer createTimer(const ros::NodeHandle& handle, std::chrono::duration<double> period,
+                             const std::function<void()>& work, bool is_one_shot) {
+  constexpr bool kAutostart = false;
+  const auto call = [work](const ros::SteadyTimerEvent&) { work(); };
+  return handle.createSteadyTimer(ros::WallDuration(period.count()), call, is_one_shot, kAutostart);
+}
+
 }  // namespace
 
 SignsOfLife::SignsOfLife(ReceiptClock& clock)
@@ -79,11 +86,14 @@ void CallbackThreads::run() {
   }
 }
 
-ros::SteadyTimer makeTimer(ros::NodeHandle handle, std::chrono::duration<double> period, bool is_one_shot,
+ros::SteadyTimer makeTimer(ros::NodeHandle handle, std::chrono::duration<double> period,
                            const std::function<void()>& work) {
-  constexpr bool kAutostart = false;
-  const auto call = [work](const ros::SteadyTimerEvent&) { work(); };
-  return handle.createSteadyTimer(ros::WallDuration(period.count()), call, is_one_shot, kAutostart);
+  return createTimer(handle, period, work, false);
+}
+
+ros::SteadyTimer makeOneShotTimer(ros::NodeHandle handle, std::chrono::duration<double> delay,
+                                  const std::function<void()>& work) {
+  return createTimer(handle, delay, work, true);
 }
 
 void restart(ros::SteadyTimer* timer) {

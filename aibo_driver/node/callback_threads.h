@@ -88,9 +88,13 @@ class CallbackThreads {
   std::vector<std::thread> threads_;
 };
 
-/// A timer that does not run yet. It calls `work` on the handle's callback queue, once or every `period`.
-ros::SteadyTimer makeTimer(ros::NodeHandle handle, std::chrono::duration<double> period, bool is_one_shot,
+/// A timer that does not run yet. It calls `work` on the handle's callback queue every `period`.
+ros::SteadyTimer makeTimer(ros::NodeHandle handle, std::chrono::duration<double> period,
                            const std::function<void()>& work);
+
+/// The same, but it calls `work` only once.
+ros::SteadyTimer makeOneShotTimer(ros::NodeHandle handle, std::chrono::duration<double> delay,
+                                  const std::function<void()>& work);
 
 /// Lets a timer run for its whole period from now on. A timer that has run out does not start unless it is stopped.
 void restart(ros::SteadyTimer* timer);

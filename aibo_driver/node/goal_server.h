@@ -135,8 +135,7 @@ class GoalServer {
   static constexpr std::size_t kMostBytesOfGoal = 1 << 20;
 
   GoalServer(ros::NodeHandle handle, ActionKind<Spec> kind) : kind_(std::move(kind)) {
-    constexpr bool kOneShot = false;
-    timer_ = makeTimer(handle, kind_.period, kOneShot, [this] { look(); });
+    timer_ = makeTimer(handle, kind_.period, [this] { look(); });
     server_ = std::make_unique<Server>(
         handle, kind_.name, [this](const GoalHandle& goal) { accept(goal); },
         [this](const GoalHandle& goal) { cancel(goal); });

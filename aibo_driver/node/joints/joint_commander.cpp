@@ -57,9 +57,8 @@ movement::TrajectoryRequest toRequest(const trajectory_msgs::JointTrajectory& me
 }
 
 void JointCommander::subscribe(const ros::NodeHandle& handle) {
-  constexpr bool kOneShot = true;
-  collecting_ = makeTimer(handle, kCollectingTime, kOneShot, [this] { sendCollected(); });
-  timer_ = makeTimer(handle, movement::JointPlan::kPeriod, !kOneShot, [this] {
+  collecting_ = makeOneShotTimer(handle, kCollectingTime, [this] { sendCollected(); });
+  timer_ = makeTimer(handle, movement::JointPlan::kPeriod, [this] {
     if (!mover_.advance()) {
       timer_.stop();
     }

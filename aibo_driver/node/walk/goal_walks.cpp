@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -65,25 +66,25 @@ GoalWalks::GoalWalks(const DriverParameters& parameters, const aibo_client::RcSe
       clock_(std::move(clock)) {}
 
 void GoalWalks::subscribe(const ros::NodeHandle& handle) {
-  constexpr bool kOneShot = false;
-  timer_ = makeTimer(handle, kPeriod, kOneShot, [this] { advance(); });
+  timer_ = makeTimer(handle, kPeriod, [this] { advance(); });
   constexpr std::uint32_t kNewest = 1;
   subscriber_ = subscribeToOrders<geometry_msgs::PoseStamped>(
       handle, "goal", kNewest, [this](const auto& goal, const auto& order) { begin(goal, order); });
 }
 
-movement::Mover::Answer GoalWalks::begin(const geometry_msgs::PoseStamped& goal, const movement::Order& order) {
+GoalWalks::Begun GoalWalks::begin(const geometry_msgs::PoseStamped& goal, const movement::Order& order) {
   try {
     const walk::PlanePose pose = goalIn(goal);
     const std::string name = format("to x %.2f m, y %.2f m, yaw %.2f rad", pose.x, pose.y, pose.yaw);
     const movement::Mover::Answer begun = mover_.walkToGoal(order, name);
+    const auto left = std::make_shared<Left>();
     if (begun.ended() == nullptr) {
-      walk_ = Walk{begun, walk::GoalController(pose), std::numeric_limits<double>::infinity(), clock_()};
+      walk_ = Walk{begun, walk::GoalController(pose), std::numeric_limits<double>::infinity(), clock_(), left};
       timer_.start();
     }
-    return begun;
+    return {begun, left};
   } catch (const InvalidArgumentException& error) {
-    return mover_.refuse(order, movement::Movement::Kind::kWalk, {}, error.what());
+    return {mover_.refuse(order, movement::Movement::Kind::kWalk, {}, error.what()), nullptr};
   }
 }
 
@@ -135,9 +136,8 @@ std::string GoalWalks::steer() {
   if (!here) {
     return "the robot has not said where it is for 0.5 s";
   }
-  distance_left_ = walk_->controller.distanceFrom(*here);
-  turn_left_ = walk_->controller.turnFrom(*here);
-  const double left = distance_left_ + kMetresForRadian * std::abs(turn_left_);
+  *walk_->left = {walk_->controller.distanceFrom(*here), walk_->controller.turnFrom(*here)};
+  const double left = walk_->left->distance + kMetresForRadian * std::abs(walk_->left->turn);
   if (left < walk_->least_left - kCloser) {
     walk_->closer_at = clock_();
     walk_->least_left = left;

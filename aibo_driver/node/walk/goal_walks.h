@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -44,15 +45,22 @@ class GoalWalks {
   /// @param handle the handle of the walk commander, whose thread steers all walks
   void subscribe(const ros::NodeHandle& handle);
 
+  /// How much of a walk was left when it was steered last.
+  struct Left {
+    double distance = 0;  ///< m
+    double turn = 0;      ///< rad
+  };
+
+  struct Begun {
+    movement::Mover::Answer answer;
+    std::shared_ptr<const Left> left;  ///< read it on the thread that steers
+  };
+
   /// Begins to walk to a goal. If it is refused, an earlier walk goes on.
-  movement::Mover::Answer begin(const geometry_msgs::PoseStamped& goal, const movement::Order& order);
+  Begun begin(const geometry_msgs::PoseStamped& goal, const movement::Order& order);
 
   /// Steers the robot.
   void advance();
-
-  /// How much of the latest walk was left when it was steered last.
-  double distanceLeft() const { return distance_left_; }  ///< m
-  double turnLeft() const { return turn_left_; }          ///< rad
 
  private:
   /// A walk that has to be steered.
@@ -61,6 +69,7 @@ class GoalWalks {
     walk::GoalController controller;
     double least_left;
     movement::SteadyTime closer_at;
+    std::shared_ptr<Left> left;
   };
 
   walk::PlanePose goalIn(const geometry_msgs::PoseStamped& goal) const;
@@ -72,8 +81,6 @@ class GoalWalks {
   const Odometer odometer_;
   const movement::Mover::Clock clock_;
   std::optional<Walk> walk_;
-  double distance_left_ = 0;
-  double turn_left_ = 0;
   ros::SteadyTimer timer_;
   ros::Subscriber subscriber_;
 };

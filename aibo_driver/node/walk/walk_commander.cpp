@@ -19,8 +19,7 @@ bool isFinite(const geometry_msgs::Vector3& vector) {
 }  // namespace
 
 void WalkCommander::subscribe(const ros::NodeHandle& handle) {
-  constexpr bool kOneShot = true;
-  timer_ = makeTimer(handle, settings_.timeout, kOneShot, [this] { runOut(); });
+  timer_ = makeOneShotTimer(handle, settings_.timeout, [this] { runOut(); });
   constexpr std::uint32_t kNewest = 1;
   subscriber_ = subscribeToOrders<Twist>(handle, "cmd_vel", kNewest,
                                          [this](const auto& message, const auto& order) { receive(message, order); });

@@ -41,7 +41,11 @@ class GoalWalksTest : public ::testing::Test {
     return goal;
   }
 
-  movement::Mover::Answer begin(const geometry_msgs::PoseStamped& goal) { return walks_.begin(goal, {"/user", now_}); }
+  movement::Mover::Answer begin(const geometry_msgs::PoseStamped& goal) {
+    const GoalWalks::Begun begun = walks_.begin(goal, {"/user", now_});
+    left_ = begun.left;
+    return begun.answer;
+  }
 
   std::string refusalOf(const geometry_msgs::PoseStamped& goal) {
     const movement::Mover::Answer walk = begin(goal);
@@ -78,6 +82,7 @@ class GoalWalksTest : public ::testing::Test {
   movement::MeasuredJoints measured_{table_};
   test_support::FakeClient client_;
   movement::Mover mover_{table_, measured_, client_, 0.5, clock_};
+  std::shared_ptr<const GoalWalks::Left> left_;  // of the latest walk
   GoalWalks walks_{parameters_, client_, mover_,
                    [this] { return here_ ? std::make_optional(walk::inFrameOf(kOrigin, *here_)) : std::nullopt; },
                    clock_};
@@ -139,8 +144,8 @@ TEST_F(GoalWalksTest, SaysWhatIsLeftOfTheWayAndAtTheEndHowItEnded) {
   here_->yaw = 0.4;
   const movement::Mover::Answer walk = begin(goalAt(4, 4));
   walkOn(walk, 0);
-  EXPECT_NEAR(walks_.distanceLeft(), 5, 1e-9);
-  EXPECT_NEAR(walks_.turnLeft(), -0.4, 1e-9);
+  EXPECT_NEAR(left_->distance, 5, 1e-9);
+  EXPECT_NEAR(left_->turn, -0.4, 1e-9);
   lastVelocity();
   mover_.disconnected();
   client_.problem = "there is no robot";
@@ -148,7 +153,7 @@ TEST_F(GoalWalksTest, SaysWhatIsLeftOfTheWayAndAtTheEndHowItEnded) {
   walks_.advance();
   ASSERT_NE(walk.ended(), nullptr);
   EXPECT_EQ(walk.ended()->how, EndedHow::kLost);
-  EXPECT_NEAR(walks_.distanceLeft(), 5, 1e-9) << "it is not looked at any more";
+  EXPECT_NEAR(left_->distance, 5, 1e-9) << "it is not looked at any more";
   EXPECT_EQ(lastVelocity(), "");
 }
 
@@ -159,7 +164,7 @@ TEST_F(GoalWalksTest, TheRobotWalksWithinTheLimitsUntilItIsThere) {
   parameters_.walk.speed_limit = 0.05;
   walkOn(walk, 0);
   EXPECT_EQ(lastVelocity(), "steer 0.10 0.00 0.00");
-  EXPECT_NEAR(walks_.distanceLeft(), 1, 1e-9);
+  EXPECT_NEAR(left_->distance, 1, 1e-9);
   walkOn(walk, 0.97);
   EXPECT_EQ(lastVelocity(), "steer 0.06 0.00 0.00");
   walkOn(walk, 0.02);

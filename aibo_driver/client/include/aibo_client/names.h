@@ -1,8 +1,8 @@
 /// @file names.h
-/// The names of the joints, sensors and LEDs of the robots, such as "head_pan", "battery" and "face_1". Requests and
-/// telemetry have their RCServer identifiers instead; docs/protocol.md lists both.
+/// The names of the joints, sensors, LEDs and postures of the robots, such as "head_pan", "battery", "face_1" and "sit".
+/// Requests and telemetry have their RCServer identifiers instead; docs/protocol.md lists both.
 ///
-/// Every function takes the design of the robot (RobotInfo::design), because some identifiers mean different parts on
+/// Most functions take the design of the robot (RobotInfo::design), because some identifiers mean different parts on
 /// different robots. If the design is empty, as for a version 1 server, the ERS-7 is searched first, then the ERS-210.
 ///
 /// @code
@@ -14,6 +14,8 @@
 #define AIBO_CLIENT_NAMES_H
 
 #include <string>
+
+#include "aibo_client/walk.h"
 
 namespace aibo_client {
 
@@ -37,6 +39,9 @@ std::string nameOfSensor(int id, const std::string& design = "");
 
 /// The name of an LED, or "LED 99" if no LED has this identifier.
 std::string nameOfLed(int id, const std::string& design = "");
+
+/// The name of a posture: "stand", "sit" or "rest".
+std::string nameOfPosture(Posture posture);
 
 }  // namespace aibo_client
 
