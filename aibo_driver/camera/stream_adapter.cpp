@@ -38,26 +38,36 @@ void StreamAdapter::setWish(const Wish& wish) {
 }
 
 void StreamAdapter::picturePublished(SteadyTime now, std::optional<SteadyTime> taken) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (!stream_) {
-    return;
-  }
-  if (!taken) {
-    if (!has_said_why_not_) {
-      log_(aibo_client::LogLevel::kWarn,
-           "adaptive has no effect: the age of the pictures is not known. It needs a robot that speaks version 2, and "
-           "use_robot_time.");
-      has_said_why_not_ = true;
+  if (taken) {
+    const std::string change = adapt(now, *taken);
+    if (!change.empty()) {
+      changes_.warn(change);
     }
-    return;
+  } else if (mustSayWhyNot()) {
+    log_(aibo_client::LogLevel::kWarn,
+         "adaptive has no effect: the age of the pictures is not known. It needs a robot that speaks version 2, and "
+         "use_robot_time.");
   }
-  if (const auto step = stream_->pictureArrived(now, now - *taken)) {
-    ask(*step);
-    const double age = std::chrono::duration<double>(now - *taken).count();
-    changes_.warn("Adaptive: the last picture is " + std::to_string(inMilliseconds(age)) + " ms old, and at most " +
-                  std::to_string(inMilliseconds(wish_->max_picture_age)) + " ms are allowed: the stream is " +
-                  describeStep() + ".");
+}
+
+// Returns a sentence about how the stream has changed; empty if it has not.
+std::string StreamAdapter::adapt(SteadyTime now, SteadyTime taken) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto step = stream_ ? stream_->pictureArrived(now, now - taken) : std::nullopt;
+  if (!step) {
+    return "";
   }
+  ask(*step);
+  const double age = std::chrono::duration<double>(now - taken).count();
+  return "Adaptive: the last picture is " + std::to_string(inMilliseconds(age)) + " ms old, and at most " +
+         std::to_string(inMilliseconds(wish_->max_picture_age)) + " ms are allowed: the stream is " + describeStep() +
+         ".";
+}
+
+// True once for each wish.
+bool StreamAdapter::mustSayWhyNot() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return stream_ && !std::exchange(has_said_why_not_, true);
 }
 
 int StreamAdapter::wishedQuality() const {

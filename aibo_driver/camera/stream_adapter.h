@@ -49,11 +49,13 @@ class StreamAdapter {
   std::string describe() const;
 
  private:
+  std::string adapt(SteadyTime now, SteadyTime taken);
+  bool mustSayWhyNot();
   void ask(const AdaptiveStream::Step& step);
   std::string describeStep() const;
 
   aibo_client::RcServerClient& client_;
-  mutable std::mutex mutex_;  // guards all members below
+  mutable std::mutex mutex_;  // guards the wish, the stream and the flag
   std::optional<Wish> wish_;
   std::optional<AdaptiveStream> stream_;  ///< empty unless the stream is adaptive
   bool has_said_why_not_ = false;

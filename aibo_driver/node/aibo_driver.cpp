@@ -78,7 +78,7 @@ void repeatStateOfActionsRarely(const ros::NodeHandle& handle) {
   }
 }
 
-// Logs a line of the client, to the logger ros.aibo_driver.client.
+// For the connection and its adaptive stream.
 void logForClient(LogLevel level, const std::string& message) {
   switch (level) {
     case LogLevel::kDebug:
