@@ -12,6 +12,7 @@
 #include "text/plain_text.h"
 
 namespace aibo_driver::node {
+
 LiveSettings::LiveSettings(const ros::NodeHandle& private_handle, aibo_client::RcServerClient& client,
                            camera::StreamAdapter& adapter, movement::JointTable& joint_table)
     : client_(client),

@@ -40,8 +40,8 @@ bool ServiceCalls::run(const std::string& name, const std::function<void(Call&)>
   return true;
 }
 
-// Publishes the client to cancel(), which can end the call from now on.
-bool ServiceCalls::publishClient(Call& call, const ros::ServiceClient& client) {
+// From now on, cancel() can end the call.
+bool ServiceCalls::shareClient(Call& call, const ros::ServiceClient& client) {
   const std::lock_guard<std::mutex> lock(mutex_);
   call.client = client;
   return !is_ending_;

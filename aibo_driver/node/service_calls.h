@@ -42,7 +42,7 @@ class ServiceCalls {
         constexpr bool kPersistent = true;  // needed because another thread can end only such a connection
         client = ros::NodeHandle().serviceClient<Service>(name, kPersistent);
       }
-      const bool answered = publishClient(call, client) && client.call(request, response);
+      const bool answered = shareClient(call, client) && client.call(request, response);
       if (!isEnding()) {
         done(answered ? &response : nullptr);
       }
@@ -61,7 +61,7 @@ class ServiceCalls {
   };
 
   bool run(const std::string& name, const std::function<void(Call&)>& work);
-  bool publishClient(Call& call, const ros::ServiceClient& client);
+  bool shareClient(Call& call, const ros::ServiceClient& client);
   bool isEnding();
 
   std::mutex mutex_;

@@ -45,10 +45,10 @@ std::string load(const LoadColorTable::Request& request, const robot_model::Robo
   requireChannel(request.channel, model);
   set_table(request.channel, table);
   const std::string done =
-      "Channel " + std::to_string(request.channel) + " detects " + (table ? table->name : "nothing");
+      "Channel " + std::to_string(request.channel) + " has " + (table ? "the table " + table->name : "no table");
   const aibo_client::ConnectionStatus status = client.status();
   if (status.state != aibo_client::ConnectionState::kConnected) {
-    return done + ". There is no connection now; the robot gets it with the next one.";
+    return done + ". The robot is not connected, and gets it when it is.";
   }
   if (!status.robot.hasCapability("Z")) {
     throw ColorTableException("the robot's server detects no colours. It needs a newer RCServer; the table is kept.");

@@ -31,13 +31,15 @@ namespace {
 // How long a call waits for a picture on the memory stick, which is slow.
 constexpr std::chrono::milliseconds kStickTimeout{15000};
 
-std::string describePicture(const aibo_client::Picture& picture, int asked_quality) {
+std::string describePicture(const aibo_client::Picture& picture, int asked_quality, int protocol_version) {
   std::string text = "Took a picture of " + std::to_string(picture.width) + "x" + std::to_string(picture.height) +
                      " pixels, " + std::to_string(picture.jpeg.size()) + " bytes, at quality " +
                      std::to_string(picture.quality);
   if (asked_quality != picture.quality) {
-    text += "; quality " + std::to_string(asked_quality) +
-            " would need the stream to be off, because this robot takes no other pictures while it streams";
+    const std::string quality = std::to_string(asked_quality);
+    text += protocol_version == 1 ? "; it is a picture of the stream, and quality " + quality +
+                                        " would need the stream to be off"
+                                  : "; at quality " + quality + " it would have been too large";
   }
   return text + ".";
 }
@@ -101,7 +103,7 @@ template <typename Response>
 std::string answerWish(bool wanted, const camera::StreamPolicy& policy, const DriverParameters& parameters,
                        const aibo_client::RcServerClient& client, Response* response) {
   if (!wanted) {
-    return "The stream is off.";
+    return "The stream is off: the robot is asked for no pictures.";
   }
   const aibo_client::ConnectionStatus status = client.status();
   if (status.state != aibo_client::ConnectionState::kConnected) {
@@ -111,7 +113,7 @@ std::string answerWish(bool wanted, const camera::StreamPolicy& policy, const Dr
   }
   return policy.waitsForSubscriber()
              ? "The stream is on, on demand: pictures come as soon as a camera topic has a subscriber."
-             : "The stream is on.";
+             : "The stream is on: the robot is asked for pictures.";
 }
 
 }  // namespace
@@ -127,7 +129,7 @@ Services takePictureServices(
     const int quality = qualityOf(call.request.quality, default_quality);
     const aibo_client::PicturePtr picture = client.takePicture(quality, timeout, resolutionIn(call.request));
     call.response.image = to_message(*picture);
-    return save(picture->jpeg, folder, describePicture(*picture, quality), &call);
+    return save(picture->jpeg, folder, describePicture(*picture, quality, client.status().protocol_version), &call);
   };
   return {service<TakePicture>("take_picture", "There is no picture", take)};
 }
@@ -137,8 +139,7 @@ Services stickPictureServices(const DriverParameters& parameters, aibo_client::R
   const auto take = [&client, default_quality](ServiceCall<TakePictureOnRobot>& call) {
     const int quality = qualityOf(call.request.quality, default_quality);
     call.response.name = client.takePictureOnRobot(quality, kStickTimeout);
-    return call.response.name + " is on the robot's memory stick, at quality " + std::to_string(quality) +
-           ". fetch_picture gets it.";
+    return call.response.name + " is on the robot's memory stick. fetch_picture gets it.";
   };
   const auto fetch = [&client, folder = files::pictureFolder(parameters.picture_folder),
                       frame_id = parameters.frame(parameters.frame_id)](ServiceCall<FetchPicture>& call) {

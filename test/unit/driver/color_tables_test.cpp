@@ -163,10 +163,10 @@ class ColorTableServiceTest : public ::testing::Test {
 TEST_F(ColorTableServiceTest, AFileATextOrNothing) {
   const test_support::TemporaryFolder folder;
   std::ofstream(folder.path("a.txt")) << kPink;
-  EXPECT_THAT(load(2, folder.path("a.txt").string()).message, HasSubstr("Channel 2 detects pink"));
-  EXPECT_THAT(load(0, "pink_ball").message, HasSubstr("Channel 0 detects pink_ball"));
+  EXPECT_THAT(load(2, folder.path("a.txt").string()).message, HasSubstr("Channel 2 has the table pink"));
+  EXPECT_THAT(load(0, "pink_ball").message, HasSubstr("Channel 0 has the table pink_ball"));
   EXPECT_TRUE(load(6, "", kPink).success);
-  EXPECT_THAT(load(6, "", "").message, HasSubstr("detects nothing"));
+  EXPECT_THAT(load(6, "", "").message, HasSubstr("Channel 6 has no table"));
   EXPECT_THAT(loaded_, ElementsAre(Pair(2, "pink"), Pair(0, "pink_ball"), Pair(6, "pink"), Pair(6, "")));
 }
 
@@ -183,7 +183,7 @@ TEST_F(ColorTableServiceTest, SaysWhenTheRobotDoesNotHaveItYet) {
   client_.present.state = ConnectionState::kConnecting;
   const LoadColorTable::Response later = load(0, "pink_ball");
   EXPECT_TRUE(later.success);
-  EXPECT_THAT(later.message, HasSubstr("no connection now"));
+  EXPECT_THAT(later.message, HasSubstr("not connected, and gets it when it is"));
   client_.present = {};
   client_.present.state = ConnectionState::kConnected;
   const LoadColorTable::Response response = load(0, "pink_ball");

@@ -80,10 +80,13 @@ TEST_F(StreamServicesTest, AnswerAPicture) {
   EXPECT_THAT(client_.told, ElementsAre("picture 77", "picture 100"));
 }
 
-TEST_F(StreamServicesTest, SayThatAPictureOfTheStreamHasItsQuality) {
+TEST_F(StreamServicesTest, SayWhyAPictureHasAnotherQuality) {
   client_.stream_quality = 85;
+  client_.present.protocol_version = 1;
   EXPECT_THAT(takePicture(85).message, HasSubstr("at quality 85."));
-  EXPECT_THAT(takePicture(20).message, HasSubstr("at quality 85; quality 20 would need the stream to be off"));
+  EXPECT_THAT(takePicture(20).message, HasSubstr("at quality 85; it is a picture of the stream, and quality 20"));
+  client_.present.protocol_version = 2;
+  EXPECT_THAT(takePicture(95).message, HasSubstr("at quality 85; at quality 95 it would have been too large"));
 }
 
 TEST_F(StreamServicesTest, SaveAPictureOrSayWhyNot) {
@@ -128,10 +131,10 @@ TEST_F(StreamServicesTest, RefuseAPictureAtOnceWhileFourCallsWait) {
 TEST_F(StreamServicesTest, SwitchTheStreamAndSayWhatItWaitsFor) {
   EXPECT_THAT(setStreaming(true).message, HasSubstr("as soon as a camera topic has a subscriber"));
   has_subscriber_ = true;
-  EXPECT_EQ(setStreaming(true).message, "The stream is on.");
+  EXPECT_EQ(setStreaming(true).message, "The stream is on: the robot is asked for pictures.");
   const auto off = setStreaming(false);
   EXPECT_TRUE(off.success);
-  EXPECT_EQ(off.message, "The stream is off.");
+  EXPECT_EQ(off.message, "The stream is off: the robot is asked for no pictures.");
   EXPECT_EQ(client_.told.back(), "no stream");
 }
 
@@ -147,7 +150,7 @@ TEST_F(StreamServicesTest, KeepTheWishForAStreamWhileTheRobotDoesNotAnswer) {
 TEST_F(StreamServicesTest, ToggleTheStream) {
   callService<std_srvs::Trigger>(stream_, "toggle_streaming");
   EXPECT_TRUE(policy_.wanted());
-  EXPECT_EQ(callService<std_srvs::Trigger>(stream_, "toggle_streaming").message, "The stream is off.");
+  EXPECT_EQ(callService<std_srvs::Trigger>(stream_, "toggle_streaming").message, "The stream is off: the robot is asked for no pictures.");
   EXPECT_FALSE(policy_.wanted());
 }
 
