@@ -402,7 +402,7 @@ void AiboDriver::updateConnection(const aibo_client::ConnectionStatus& status) {
   if (!status.robot.design.empty() && status.robot.design != parameters_.robot) {
     // The robot can change its status as often as it likes, so the warning is limited.
     design_warnings_.warn("The robot says that it is an " + status.robot.design + ", but the parameter robot is " +
-                   parameters_.robot + ": commands are refused. Set the parameter, and start the driver again.");
+                          parameters_.robot + ": commands are refused. Set the parameter, and start the driver again.");
   }
 }
 

@@ -37,9 +37,9 @@ std::string describePicture(const aibo_client::Picture& picture, int asked_quali
                      std::to_string(picture.quality);
   if (asked_quality != picture.quality) {
     const std::string quality = std::to_string(asked_quality);
-    text += protocol_version == 1 ? "; it is a picture of the stream, and quality " + quality +
-                                        " would need the stream to be off"
-                                  : "; at quality " + quality + " it would have been too large";
+    text += protocol_version == 1
+                ? "; it is a picture of the stream, and quality " + quality + " would need the stream to be off"
+                : "; at quality " + quality + " it would have been too large";
   }
   return text + ".";
 }

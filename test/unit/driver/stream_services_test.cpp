@@ -150,7 +150,8 @@ TEST_F(StreamServicesTest, KeepTheWishForAStreamWhileTheRobotDoesNotAnswer) {
 TEST_F(StreamServicesTest, ToggleTheStream) {
   callService<std_srvs::Trigger>(stream_, "toggle_streaming");
   EXPECT_TRUE(policy_.wanted());
-  EXPECT_EQ(callService<std_srvs::Trigger>(stream_, "toggle_streaming").message, "The stream is off: the robot is asked for no pictures.");
+  EXPECT_EQ(callService<std_srvs::Trigger>(stream_, "toggle_streaming").message,
+            "The stream is off: the robot is asked for no pictures.");
   EXPECT_FALSE(policy_.wanted());
 }
 
