@@ -110,11 +110,7 @@ void WalkGuard::Forget() {
   reports_without_floor_ = 0;
   reports_with_obstacle_ = 0;
   paw_without_floor_ = NO_PAW;
-  for (int i = 0; i < NUMBER_OF_LEGS; ++i) {
-    steps_felt_[i] = 0;
-    reports_in_air_[i] = 0;
-    has_touched_[i] = false;
-  }
+  std::fill(paws_, paws_ + NUMBER_OF_LEGS, Paw());
   poses_.Add(pose_);
 }
 
@@ -240,14 +236,15 @@ void WalkGuard::FeelFloor(const Reading& reading, const LegAngles* legs, double 
   }
   for (int i = 0; i < NUMBER_OF_LEGS; ++i) {
     const Leg leg = static_cast<Leg>(i);
+    Paw& paw = paws_[i];
     if (step == NULL || !IsLongOnFloor(*step, leg, phase)) {
-      steps_felt_[i] = has_touched_[i] ? steps_felt_[i] + 1 : reports_in_air_[i] > 0 ? 0 : steps_felt_[i];
-      has_touched_[i] = false;
+      paw.steps_felt = paw.has_touched ? paw.steps_felt + 1 : paw.reports_in_air > 0 ? 0 : paw.steps_felt;
+      paw.has_touched = false;
       continue;
     }
-    has_touched_[i] = has_touched_[i] || reading.paws[i];
-    reports_in_air_[i] = has_touched_[i] ? 0 : reports_in_air_[i] + 1;
-    if (reports_in_air_[i] == REPORTS && steps_felt_[i] >= STEPS_TO_BELIEVE) {
+    paw.has_touched = paw.has_touched || reading.paws[i];
+    paw.reports_in_air = paw.has_touched ? 0 : paw.reports_in_air + 1;
+    if (paw.reports_in_air == REPORTS && paw.steps_felt >= STEPS_TO_BELIEVE) {
       paw_without_floor_ = i;
       const Point foot = findFoot(leg, legs[i]);
       const Place place = {foot.x, foot.y};

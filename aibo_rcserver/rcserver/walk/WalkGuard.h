@@ -74,6 +74,12 @@ class WalkGuard {
     double y;
   };
 
+  struct Paw {
+    int steps_felt;      ///< in how many steps in a row the paw has touched the floor
+    int reports_in_air;  ///< reports in a row in which it has missed the floor
+    bool has_touched;    ///< it has touched the floor in this step
+  };
+
   /// The floor in the body's frame: z = height + slope * x.
   struct Floor {
     double height;
@@ -107,12 +113,10 @@ class WalkGuard {
   Queue<Place, MOST_EDGES> edges_;
   int reports_without_floor_;  ///< how many in a row
   int reports_with_obstacle_;
-  double reach_;                                 ///< how far ahead of the middle of the shoulders the robot's nose is
-  double obstacle_;                              ///< how far ahead of that middle something is in the way
-  int steps_felt_[robot_model::NUMBER_OF_LEGS];  ///< in how many steps in a row a paw has touched the floor
-  int reports_in_air_[robot_model::NUMBER_OF_LEGS];  ///< reports in a row in which a paw has missed the floor
-  bool has_touched_[robot_model::NUMBER_OF_LEGS];    ///< the paw has touched the floor in this step
-  int paw_without_floor_;                            ///< a robot_model::Leg without floor under its paw, or NO_PAW
+  double reach_;     ///< how far ahead of the middle of the shoulders the robot's nose is
+  double obstacle_;  ///< how far ahead of that middle something is in the way
+  Paw paws_[robot_model::NUMBER_OF_LEGS];
+  int paw_without_floor_;  ///< a robot_model::Leg without floor under its paw, or NO_PAW
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_WALK_WALK_GUARD_H
