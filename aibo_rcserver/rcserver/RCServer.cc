@@ -561,8 +561,7 @@ bool RCServer::IsSendingPicture() const {
 // True if the client wants sound first and some sound waits or is needed. But a client that got no picture at all would
 // take the connection for dead.
 bool RCServer::SoundGoesFirst() const {
-  return Now() - last_picture_ < LONGEST_PICTURE_WAIT && body_->Hearing().GoesFirst() &&
-         (session_->SoundWaits() || body_->Voice().IsShort());
+  return Now() - last_picture_ < LONGEST_PICTURE_WAIT && session_->Sound().GoesFirst();
 }
 
 // Begins the next picture unless one is being sent, because the next one would only wait behind it.

@@ -77,7 +77,6 @@ class Session {
   CameraRequests& Camera() { return version2_.Camera(); }
   SoundRequests& Sound() { return version2_.Sound(); }
   StickRequests& Stick() { return version2_.Stick(); }
-  bool SoundWaits() const { return outbox_.HasSound(); }
 
   bool HasOutput() const { return !outbox_.IsEmpty(); }
 

@@ -19,6 +19,9 @@ class SoundRequests {
   /// client sees from the frame numbers.
   void Heard(OSoundVectorData* vector);
 
+  /// True if the client wants sound before pictures, and some waits or is needed.
+  bool GoesFirst() const { return microphone_.GoesFirst() && (exchange_.Out().HasSound() || speaker_.IsShort()); }
+
   /// Pushes the ends of sounds. An end for which the outbox has no room is pushed the next time.
   void PushEnds();
 
