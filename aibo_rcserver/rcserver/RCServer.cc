@@ -123,9 +123,24 @@ void RCServer::NotifyImage(const ONotifyEvent& event) {
 }
 
 void RCServer::NotifyPicture(const ONotifyEvent& event) {
-  if (pictures_.Take(event, observer[event.ObsIndex()])) {
-    UsePicture();
+  if (!pictures_.Take(event, observer[event.ObsIndex()])) {
+    return;
   }
+  const EncodedPicture& picture = pictures_.Picture();
+  if (picture.size == 0) {
+    DropWithoutPicture(picture.problem);
+    return;
+  }
+  if (pictures_.Order().purpose == PictureOrder::FOR_STICK) {
+    session_->Stick().PictureTaken(picture.jpeg, picture.size);
+    pictures_.DropPicture();
+  } else if (datagrams_.IsOn() && pictures_.Order().purpose == PictureOrder::FOR_STREAM &&
+             session_->Pictures().Wants(pictures_.Order())) {
+    last_picture_ = Now();
+    datagrams_.Send(pictures_.Header(), picture.jpeg, picture.size, Now());
+    pictures_.DropPicture();
+  }
+  ServeClient();
 }
 
 void RCServer::ReadyEncodeJob(const OReadyEvent&) {
@@ -382,11 +397,6 @@ void RCServer::Admit(Connection* newcomer) {
   ServeClient();
 }
 
-// True if the newcomer may be the client. After a radio outage, it often returns before the robot misses it.
-bool RCServer::MayBeClientAgain(const Connection& newcomer) const {
-  return session_->ExpectsHeartbeat() && newcomer.ClientAddress() == client_->ClientAddress();
-}
-
 // Handles a newcomer that has sent something or has gone. Further bytes are read after it has become the client.
 void RCServer::NewcomerReceived(const TCPEndpointReceiveMsg& answer) {
   if (answer.error != TCP_SUCCESS) {
@@ -412,7 +422,9 @@ void RCServer::CheckNewcomer() {
     return;
   }
   const bool is_silent = IsClientSilent();
-  const bool may_replace = is_silent || MayBeClientAgain(*newcomer_);
+  // After a radio outage, a client often returns before the robot misses it.
+  const bool may_be_client = session_->ExpectsHeartbeat() && newcomer_->ClientAddress() == client_->ClientAddress();
+  const bool may_replace = is_silent || may_be_client;
   if (!may_replace ||
       !protocol::RequestReader::beginsWithRequest(newcomer_->ReceivedBytes(), newcomer_->ReceivedSize())) {
     if (Now() - newcomer_since_ >= (may_replace ? INTRODUCTION_FRAMES : 1)) {
@@ -569,22 +581,4 @@ void RCServer::BeginPicture() {
   if (client_ != NULL && !IsSendingPicture() && !SoundGoesFirst() && pictures_.MayBegin()) {
     pictures_.Begin();
   }
-}
-
-void RCServer::UsePicture() {
-  const EncodedPicture& picture = pictures_.Picture();
-  if (picture.size == 0) {
-    DropWithoutPicture(picture.problem);
-    return;
-  }
-  if (pictures_.Order().purpose == PictureOrder::FOR_STICK) {
-    session_->Stick().PictureTaken(picture.jpeg, picture.size);
-    pictures_.DropPicture();
-  } else if (datagrams_.IsOn() && pictures_.Order().purpose == PictureOrder::FOR_STREAM &&
-             session_->Pictures().Wants(pictures_.Order())) {
-    last_picture_ = Now();
-    datagrams_.Send(pictures_.Header(), picture.jpeg, picture.size, Now());
-    pictures_.DropPicture();
-  }
-  ServeClient();
 }

@@ -124,7 +124,6 @@ class RCServer : public OObject {
   void ListenWhereClosed();
   Connection* FindConnection(const void* continuation);
   void Admit(Connection* newcomer);
-  bool MayBeClientAgain(const Connection& newcomer) const;
   void NewcomerReceived(const TCPEndpointReceiveMsg& answer);
   void CheckNewcomer();
   void TurnAwayByAddress(Connection* newcomer);
@@ -143,7 +142,6 @@ class RCServer : public OObject {
   bool IsSendingPicture() const;
   bool SoundGoesFirst() const;
   void BeginPicture();
-  void UsePicture();
 
   Connection connections_[NUMBER_OF_CONNECTIONS];
   size_t endpoints_;         ///< number of endpoints created so far

@@ -61,7 +61,8 @@ bool PictureDatagrams::SendTo(const DatagramOrder& order) {
     return false;
   }
   if (order.is_test) {
-    SendTest();
+    encodeTest(order_, DatagramBuffer());
+    SendDatagram(MAX_DATAGRAM_SIZE);
   }
   return true;
 }
@@ -219,11 +220,6 @@ void PictureDatagrams::SendPart(unsigned picture, size_t part) {
   encode(header, DatagramBuffer());
   memcpy(DatagramBuffer() + DATAGRAM_HEADER_SIZE, kept.jpeg + part * DATAGRAM_PART_SIZE, size);
   SendDatagram(DATAGRAM_HEADER_SIZE + size);
-}
-
-void PictureDatagrams::SendTest() {
-  encodeTest(order_, DatagramBuffer());
-  SendDatagram(MAX_DATAGRAM_SIZE);
 }
 
 // Sends the contents of DatagramBuffer(). If the IPStack refuses, the rest of the picture is dropped.

@@ -102,7 +102,6 @@ class PictureDatagrams : public DatagramSwitch {
   void SendNext();
   void SendMissingPart();
   void SendPart(unsigned picture, size_t part);
-  void SendTest();
   void SendDatagram(size_t size);
   void DropUnsent();
   void Receive();
