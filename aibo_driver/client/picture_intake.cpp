@@ -9,10 +9,7 @@
 namespace aibo_client {
 
 PictureIntake::PictureIntake(const ConnectionContext& context, TimePoint connected)
-    : context_(context),
-      stall_detector_(connected),
-      off_since_(connected),
-      last_sign_(connected) {}
+    : context_(context), stall_detector_(connected), off_since_(connected), last_sign_(connected) {}
 
 void PictureIntake::streamRequested(bool on, int quality, TimePoint now, const StreamFormat& format) {
   quality_ = quality;
