@@ -3,9 +3,15 @@
 #define AIBO_DRIVER_CLIENT_TRANSPORT_CHOICE_H
 
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 
-#include "aibo_client/camera.h"
+#include "client/connection.h"
+#include "client/datagram_intake.h"
+#include "client/session.h"
+#include "protocol/version2.h"
 
 namespace aibo_client {
 
@@ -15,6 +21,7 @@ namespace aibo_client {
 class TransportChoice {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
+  using Order = protocol::version2::DatagramOrder;
 
   /// How many tests are sent, because one can be lost. The wait after each is twice as long as the one before.
   static constexpr int kTests = 4;
@@ -24,23 +31,23 @@ class TransportChoice {
   /// The time until the next tests if UDP was given up in use (our choice). The transport must not change all the time.
   static constexpr std::chrono::seconds kPauseAfterFailure{60};
 
-  /// What to ask the robot for.
-  enum class Step { kNone, kTest, kBegin, kEnd };
+  TransportChoice(Connection& connection, DatagramIntake& datagrams);
 
-  /// The next step. The caller has to take it, because it then counts as taken.
-  /// @param port the client's port for datagrams; 0 if there is none
-  Step next(PictureTransport wanted, int port, bool streaming, TimePoint now);
+  /// The next order for the robot; empty if there is none. The caller has to send it, because it then counts as sent.
+  std::optional<Order> next(const Settings& wanted, TimePoint now);
 
-  /// Call this when the test datagram has come.
-  void testArrived() { trials_.has_passed = true; }
+  /// Call this when the robot has answered an order. Datagrams may come before.
+  void answered(const Order& order, TimePoint now);
+
+  /// Call this when the robot has refused the newest order.
+  void refused(const std::string& problem, TimePoint now);
+
+  /// Call this when a datagram has come although the pictures come by TCP: it may be the test.
+  void arrived(const std::uint8_t* data, std::size_t size);
 
   /// Call this when the pictures have to come by TCP again, because UDP does not work.
-  void giveUp(TimePoint now);
-
-  bool isUdpWanted() const { return wanted_ == PictureTransport::kUdp; }
-
-  /// Why UDP does not work, if next() has just given up a series of tests; otherwise empty.
-  const std::string& problem() const { return problem_; }
+  /// @param why the reason in words that follow a colon
+  void giveUp(const std::string& why, TimePoint now);
 
   /// The latest time to call next() again.
   TimePoint nextLook() const { return next_look_; }
@@ -54,13 +61,17 @@ class TransportChoice {
     TimePoint next_test{};
   };
 
-  Step test(TimePoint now);
+  std::optional<Order> test(int port, TimePoint now);
+  void useTcp(TimePoint now);
 
+  Connection& connection_;
+  DatagramIntake& datagrams_;
+  const DatagramIntake::Start test_start_;  // the numbers of this connection's test datagrams
+  DatagramIntake::Start start_;             // of the datagrams as last ordered
   PictureTransport wanted_ = PictureTransport::kTcp;
   Trials trials_;
-  int port_ = 0;
+  int port_ = 0;  // to which the robot was told to send; 0 if by TCP
   TimePoint next_look_ = TimePoint::max();
-  std::string problem_;
 };
 
 }  // namespace aibo_client

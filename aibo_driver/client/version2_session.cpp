@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <random>
 #include <utility>
 
 #include "client/fault.h"
@@ -19,12 +18,6 @@ namespace aibo_client {
 namespace version2 = protocol::version2;
 
 namespace {
-
-// Numbers that nobody can guess who cannot hear the connection.
-DatagramIntake::Start randomStart() {
-  std::random_device random;
-  return {random(), random()};
-}
 
 // The most reports that are kept. No robot has this many joints, and each report is kept once.
 constexpr std::size_t kMostReports = 32;
@@ -61,7 +54,7 @@ Version2Session::Version2Session(Connection& connection, TimePoint connected)
       reader_(buffer_.data(), buffer_.size()),
       next_hello_(connected),
       datagrams_(connection.context),
-      test_start_(randomStart()) {
+      transport_(connection, datagrams_) {
   connection_.measurements.askedFor(telemetry_period_);
   camera_.fill(kNotRequested);
 }
@@ -142,32 +135,8 @@ Session::Bytes Version2Session::requestStream(const Settings& wanted, TimePoint 
 }
 
 Session::Bytes Version2Session::requestTransport(const Settings& wanted, TimePoint now) {
-  const TransportChoice::Step step = transport_.next(wanted.transport, wanted.datagram_port, wanted.streaming, now);
-  if (!transport_.problem().empty()) {
-    connection_.giveUpDatagrams(transport_.problem());
-  }
-  switch (step) {
-    case TransportChoice::Step::kTest:
-      return requestDatagrams(wanted.datagram_port, true, test_start_, now);
-    case TransportChoice::Step::kBegin:
-      start_ = randomStart();
-      datagrams_.begin(start_, now);
-      return requestDatagrams(wanted.datagram_port, false, start_, now);
-    case TransportChoice::Step::kEnd:
-      datagrams_.end();
-      connection_.status.transport = PictureTransport::kTcp;
-      connection_.pictures.signOfPicture(now);  // from now on, pictures are due by TCP
-      return requestDatagrams(0, false, start_, now);
-    default:
-      return {};
-  }
-}
-
-// Datagrams may come before the reply does.
-Session::Bytes Version2Session::requestDatagrams(int port, bool is_test, const DatagramIntake::Start& start,
-                                                 TimePoint now) {
-  const version2::DatagramOrder order = {static_cast<unsigned short>(port), is_test, start.sequence, start.picture};
-  return request(version2::SEND_DATAGRAMS, 0, encoded(order), now, &Version2Session::onDatagrams);
+  const std::optional<version2::DatagramOrder> order = transport_.next(wanted, now);
+  return order ? request(version2::SEND_DATAGRAMS, 0, encoded(*order), now, &Version2Session::onDatagrams) : Bytes();
 }
 
 Session::Bytes Version2Session::requestPicture(const Settings& wanted, Call* call) {
@@ -387,9 +356,7 @@ void Version2Session::bytesArrived(const std::uint8_t* data, std::size_t size, T
 bool Version2Session::datagramArrived(const std::uint8_t* data, std::size_t size, TimePoint now) {
   now_ = now;
   if (!datagrams_.on()) {
-    if (isTest(data, size)) {
-      transport_.testArrived();
-    }
+    transport_.arrived(data, size);
     return false;
   }
   const bool is_robots = datagrams_.arrived(data, size, now);
@@ -401,12 +368,6 @@ bool Version2Session::datagramArrived(const std::uint8_t* data, std::size_t size
     }
   }
   return is_robots;
-}
-
-bool Version2Session::isTest(const std::uint8_t* data, std::size_t size) const {
-  std::array<std::uint8_t, version2::MAX_DATAGRAM_SIZE> test;
-  version2::encodeTest({0, true, test_start_.sequence, test_start_.picture}, test.data());
-  return std::equal(test.begin(), test.end(), data, data + size);
 }
 
 void Version2Session::onFrame() {
@@ -608,21 +569,8 @@ void Version2Session::onMicrophone(const Payload& payload) {
 }
 
 void Version2Session::onDatagrams(const Payload& payload) {
-  const auto order = decoded<version2::DatagramOrder>(payload.data, payload.size, "reply to an order of datagrams");
-  if (order.port == 0 || order.is_test || order.first_sequence != start_.sequence ||
-      order.first_picture != start_.picture) {
-    return;
-  }
-  connection_.status.transport = PictureTransport::kUdp;
-  connection_.status.transport_problem.clear();
-  datagrams_.expectFrom(now_);
-}
-
-void Version2Session::giveUpDatagrams(const std::string& why, TimePoint now) {
-  connection_.giveUpDatagrams(why);
-  transport_.giveUp(now);
-  datagrams_.end();
-  connection_.pictures.signOfPicture(now);  // from now on, pictures are due by TCP
+  transport_.answered(decoded<version2::DatagramOrder>(payload.data, payload.size, "reply to an order of datagrams"),
+                      now_);
 }
 
 // Ends that the request has caused are reported before the caller gets the answer.
@@ -673,8 +621,8 @@ void Version2Session::onRefusal(const OpenRequest& refused, RefusalCause cause, 
   }
   if (letter == version2::REQUEST_DATAGRAMS) {
     ++connection_.context.counters.refusals;
-    if (transport_.isUdpWanted() && outstanding(letter) == 0) {  // otherwise the robot has refused an earlier setting
-      giveUpDatagrams("it refused to: " + problem, now_);
+    if (outstanding(letter) == 0) {  // otherwise the robot has refused an earlier order
+      transport_.refused(problem, now_);
     }
     return;
   }
@@ -740,7 +688,7 @@ void Version2Session::checkDeadlines(TimePoint now) {
     if (problem.empty()) {
       throw Fault::silent(context.address, context.read_timeout);
     }
-    giveUpDatagrams(problem, now);
+    transport_.giveUp(problem, now);
   }
   for (const auto& each : open_) {
     if (now >= each.second.deadline) {

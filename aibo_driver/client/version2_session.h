@@ -82,7 +82,6 @@ class Version2Session final : public Session {
   Bytes requestColorTable(const Settings& wanted, TimePoint now);
   Bytes requestColors(const Settings& wanted, TimePoint now);
   Bytes requestMicrophone(const Settings& wanted, TimePoint now);
-  Bytes requestDatagrams(int port, bool is_test, const DatagramIntake::Start& start, TimePoint now);
   Bytes requestPicture(const Settings& wanted, Call* call);
   Bytes requestCall(Call* call, TimePoint now);
   Bytes nextCommand(TimePoint now);
@@ -125,8 +124,6 @@ class Version2Session final : public Session {
   bool isOfTheFuture(std::uint32_t frame_number) const;
   bool isOvertaken(const Picture& picture) const;
   void onDatagrams(const Payload& payload);
-  void giveUpDatagrams(const std::string& why, TimePoint now);
-  bool isTest(const std::uint8_t* data, std::size_t size) const;
 
   std::optional<char> kindOf(int number) const;
   std::uint64_t orderOf(int number) const;
@@ -153,8 +150,6 @@ class Version2Session final : public Session {
   int telemetry_period_ = 0;                                               // as last requested
   DatagramIntake datagrams_;
   TransportChoice transport_;
-  DatagramIntake::Start test_start_;           // the numbers of this connection's test datagrams
-  DatagramIntake::Start start_;                // of the datagrams as last requested
   std::optional<std::uint32_t> newest_frame_;  // of the newest delivered picture; empty until UDP was possible
   std::vector<Report> reports_;                // the reports that still hold; the newest is last
 };
