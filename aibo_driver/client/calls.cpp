@@ -53,10 +53,11 @@ Call callForPosture(Posture posture) {
   return makeCall(version2::TAKE_POSTURE, version2::PostureOrder{0}, version2::postureName(id), id);
 }
 
-Call callToPlay(const std::string& name, int repetitions, int options) {
+Call callToPlay(const std::string& name, int repetitions, bool leaves_out_missing_joints) {
   checkRange("repetitions", repetitions, 1, 65535);
   const version2::MotionOrder order = {0, static_cast<unsigned short>(repetitions), ""};
-  return callForFile(version2::PLAY_MOTION, order, name, protocol::readMotionName, options);
+  return callForFile(version2::PLAY_MOTION, order, name, protocol::readMotionName,
+                     leaves_out_missing_joints ? version2::LEAVE_OUT_MISSING_JOINTS : 0);
 }
 
 Call callToStop(const std::string& name) {
@@ -65,10 +66,11 @@ Call callToStop(const std::string& name) {
                       : callForFile(version2::STOP_MOTION, stop, name, protocol::readMotionName);
 }
 
-Call callToStore(const std::string& name, const std::vector<std::uint8_t>& content, int options) {
+Call callToStore(const std::string& name, const std::vector<std::uint8_t>& content, bool leaves_out_missing_joints) {
   checkRange("the motion's size", static_cast<long long>(content.size()), 1, version2::MAX_MOTION_FILE_SIZE, " bytes");
   const version2::MotionUpload upload = {"", content.data(), content.size()};
-  return callForFile(version2::STORE_MOTION, upload, name, protocol::readMotionName, options);
+  return callForFile(version2::STORE_MOTION, upload, name, protocol::readMotionName,
+                     leaves_out_missing_joints ? version2::LEAVE_OUT_MISSING_JOINTS : 0);
 }
 
 Call callToDelete(const std::string& name) {

@@ -20,12 +20,11 @@ Call callForMotors(bool on);
 Call callToHold(const std::vector<int>& joints);
 Call callForPosture(Posture posture);
 
-/// @param options protocol::version2::LEAVE_OUT_MISSING_JOINTS or 0
-Call callToPlay(const std::string& name, int repetitions = 1, int options = 0);
+Call callToPlay(const std::string& name, int repetitions = 1, bool leaves_out_missing_joints = false);
 /// @param name empty means all motions
 Call callToStop(const std::string& name);
-/// @param options as of callToPlay()
-Call callToStore(const std::string& name, const std::vector<std::uint8_t>& content, int options = 0);
+Call callToStore(const std::string& name, const std::vector<std::uint8_t>& content,
+                 bool leaves_out_missing_joints = false);
 Call callToDelete(const std::string& name);
 
 Call callToSavePicture(int quality);

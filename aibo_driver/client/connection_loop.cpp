@@ -40,6 +40,8 @@ ConnectionLoop::ConnectionLoop(const ClientOptions& options, Callbacks callbacks
       backoff_(options.reconnect_wait_min, options.reconnect_wait_max, std::random_device()()) {
   shared_.wanted.jpeg_quality = options.jpeg_quality;
   shared_.wanted.transport = options.picture_transport;
+  shared_.wanted.guard_walks = options.guard_walks;
+  shared_.wanted.leave_out_missing_joints = options.leave_out_missing_joints;
   shared_.status.reason = "the client has not been started";
 }
 

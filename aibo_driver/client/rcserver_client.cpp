@@ -117,6 +117,10 @@ SoundPart placeOf(std::size_t size, std::uint64_t sound, bool is_last, Shared* s
   return part;
 }
 
+bool leavesOutMissingJoints(const ConnectionLoop& loop) {
+  return loop.read([](const Shared& shared) { return shared.wanted.leave_out_missing_joints; });
+}
+
 /// @name Replies that need more than their layout to be good
 /// @{
 struct MotionNames : public version2::FileList {};
@@ -146,11 +150,9 @@ RcServerClient::RcServerClient(const ClientOptions& options, Callbacks callbacks
     : RcServerClient(options, std::move(callbacks), std::make_unique<TcpTransport>()) {}
 
 RcServerClient::RcServerClient(const ClientOptions& options, Callbacks callbacks,
-                               std::unique_ptr<TcpTransport> transport)
-    : motion_bits_(options.leave_out_missing_joints ? version2::LEAVE_OUT_MISSING_JOINTS : 0) {
+                               std::unique_ptr<TcpTransport> transport) {
   checkClientOptions(options);
   loop_ = std::make_unique<ConnectionLoop>(options, std::move(callbacks), std::move(transport));
-  guardWalks(options.guard_walks);
 }
 
 RcServerClient::~RcServerClient() {
@@ -291,14 +293,15 @@ void RcServerClient::steer(const WalkVelocity& velocity, const OrderTerms& terms
   loop_->change([&](Shared& shared) {
     loop_->requireConnection(shared);
     requireRequest(*loop_, shared, version2::STEER, version2::STEER.words, false);
-    shared.requests.emplace_back([command = SteeringCommand{rounded, terms, steering_bits_}](Connection& connection) {
+    const int options = shared.wanted.guard_walks ? version2::STEER_GUARDED : 0;
+    shared.requests.emplace_back([command = SteeringCommand{rounded, terms, options}](Connection& connection) {
       connection.commands.steer(command);
     });
   });
 }
 
 void RcServerClient::guardWalks(bool on) {
-  loop_->change([&](Shared&) { steering_bits_ = on ? version2::STEER_GUARDED : 0; });
+  loop_->change([on](Shared& shared) { shared.wanted.guard_walks = on; });
 }
 
 void RcServerClient::takePosture(Posture posture, milliseconds timeout, const OrderTerms& terms) {
@@ -331,7 +334,7 @@ std::string RcServerClient::playMotion(const std::string& name, int repetitions,
 
 std::future<std::string> RcServerClient::beginMotion(const std::string& name, int repetitions, milliseconds timeout,
                                                      const OrderTerms& terms) {
-  Call call = callToPlay(name, repetitions, motion_bits_);
+  Call call = callToPlay(name, repetitions, leavesOutMissingJoints(*loop_));
   call.terms = terms;
   return exchange<version2::MotionChanges>(loop_.get(), std::move(call), timeout, [](const auto& changes) {
     return std::string(changes.text, changes.text_size);
@@ -344,7 +347,7 @@ void RcServerClient::stopMotion(const std::string& name, milliseconds timeout) {
 
 void RcServerClient::uploadMotion(const std::string& name, const std::vector<std::uint8_t>& content,
                                   milliseconds timeout) {
-  exchange(waitable(loop_), callToStore(name, content, motion_bits_), timeout).get();
+  exchange(waitable(loop_), callToStore(name, content, leavesOutMissingJoints(*loop_)), timeout).get();
 }
 
 void RcServerClient::deleteMotion(const std::string& name, milliseconds timeout) {

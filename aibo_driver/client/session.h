@@ -26,6 +26,8 @@ struct Settings {
   ColorDetection colors{};
   ColorTables color_tables{};  ///< sent only while colours are detected
   MicrophoneSettings microphone{};
+  bool guard_walks = true;                ///< for the velocities that the user gives from now on
+  bool leave_out_missing_joints = false;  ///< in motions
 };
 
 /// Speaks one version of the protocol over one Connection. It knows what to send, how to parse what arrives, and when

@@ -371,9 +371,7 @@ class RcServerClient {
   RcServerClient(const ClientOptions& options, Callbacks callbacks, std::unique_ptr<TcpTransport> transport);
 
  private:
-  const int motion_bits_;  // the bit of the id in requests about motions (protocol/motion_requests.h)
   std::unique_ptr<ConnectionLoop> loop_;
-  int steering_bits_ = 0;  // bits of the id in requests to walk (protocol/walk_requests.h); only within loop_->change()
 };
 
 }  // namespace aibo_client
