@@ -248,13 +248,12 @@ class FaultExperiment : public ClientExperiment {
     if (is_new) {
       proxy_.endConnections(Action::kReset);
     }
-    const std::size_t done = proxy_.faultsDone();
     proxy_.add(fault);
     if (moment_ == Moment::kCall) {
       takePicture();
       client_.setStreaming(true);
     }
-    const auto done_at = proxy_.waitForFaults(done + 1, kSafetyNet);
+    const auto done_at = proxy_.waitForFaults();
     if (!done_at) {
       return {{}, {"the fault could not be made, because nothing came"}};
     }

@@ -77,8 +77,7 @@ inline Fault anyFault(unsigned turn, Random& random) {
                                               Action::kDrop,  Action::kInsert, Action::kFlip,      Action::kPause};
   Fault fault;
   fault.action = kActions[turn % kActions.size()];
-  fault.count = static_cast<std::size_t>(uniform(random, 1, 50));
-  fault.bytes.resize(fault.count);
+  fault.bytes.resize(static_cast<std::size_t>(uniform(random, 1, 50)));
   std::generate(fault.bytes.begin(), fault.bytes.end(),
                 [&] { return static_cast<std::uint8_t>(uniform(random, 1, 255)); });
   fault.time = std::chrono::microseconds(uniform(random, 300, 20000));

@@ -70,10 +70,9 @@ class RequestExperiment : public Experiment {
     fault.direction = Direction::kToServer;
     fault.place = Place::kByte;
     fault.offset = static_cast<unsigned>(uniform(random, 0, 39));  // later ones come once a second
-    const std::size_t done = proxy_.faultsDone();
     proxy_.endConnections(Action::kReset);
     proxy_.add(fault);
-    const auto done_at = proxy_.waitForFaults(done + 1, kSafetyNet);
+    const auto done_at = proxy_.waitForFaults();
     if (!done_at) {
       return {{}, {"the fault could not be made, because the client sent nothing"}};
     }

@@ -81,7 +81,7 @@ TEST_F(Faults, ASignalEndsTheNodeWhateverTheRobotDoes) {
     })) << name;
     if (is_served) {
       proxy_.add({Action::kSilence, Place::kPicture, 1000});
-      EXPECT_TRUE(proxy_.waitForFaults(1, kSafetyNet));
+      EXPECT_TRUE(proxy_.waitForFaults());
     }
     SCOPED_TRACE(name);
     expectEnds(&driver, signal);
@@ -126,11 +126,11 @@ TEST_F(Faults, PicturesGoOnWhileServicesWaitAndCtrlCEndsTheNode) {
   play.request.repetitions = 1;
   aibo_driver::UploadMotion upload;
   upload.request.file = stick.path("OPEN-R/MW/DATA/P/WAG.MTN");
-  proxy_.add({Action::kPause, Place::kByte, 0, Direction::kToServer, 0, {}, std::chrono::minutes(10)});
+  proxy_.add({Action::kPause, Place::kByte, 0, Direction::kToServer, {}, std::chrono::minutes(10)});
   // The node may end without answering.
   const auto plays = std::async(std::launch::async, [&] { ros::service::call("/waiting/play_motion", play); });
   const auto uploads = std::async(std::launch::async, [&] { ros::service::call("/waiting/upload_motion", upload); });
-  ASSERT_TRUE(proxy_.waitForFaults(1, kSafetyNet));
+  ASSERT_TRUE(proxy_.waitForFaults());
   pictures.clear();
   EXPECT_FALSE(pictures.waitForCount(100).empty());
   expectEnds(&driver);

@@ -25,6 +25,7 @@
 #include "host_files/file_descriptor.h"
 #include "support/proxy/faults.h"
 #include "support/proxy/scanner.h"
+#include "support/safety_net.h"
 #include "support/sockets.h"
 
 namespace test_support {
@@ -85,7 +86,7 @@ class FaultProxy {
   void endConnections(Action how) {
     change([&] {
       for (Link& link : links_) {
-        end(how, link, Direction::kToClient);
+        end(how, link, link.client);
       }
     });
   }
@@ -97,7 +98,7 @@ class FaultProxy {
       faults_.clear();
       for (Link& link : links_) {
         if (link.is_silent) {
-          end(Action::kReset, link, Direction::kToClient);
+          end(Action::kReset, link, link.client);
         }
       }
       receiveClientsBy(Welcome::kServe);
@@ -110,20 +111,12 @@ class FaultProxy {
     return connections_;
   }
 
-  /// Faults made so far.
-  std::size_t faultsDone() const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return faults_done_;
-  }
-
-  /// Waits until this many faults have been made since the construction.
+  /// Waits until all faults have been made.
   /// @return when the last of them was made; nothing if they were not made in time
-  std::optional<TimePoint> waitForFaults(std::size_t count, std::chrono::milliseconds timeout) {
+  std::optional<TimePoint> waitForFaults() {
     std::unique_lock<std::mutex> lock(mutex_);
-    if (!changed_.wait_for(lock, timeout, [&] { return faults_done_ >= count; })) {
-      return std::nullopt;
-    }
-    return last_fault_;
+    const bool are_made = changed_.wait_for(lock, kSafetyNet, [&] { return faults_.empty(); });
+    return are_made ? std::optional(last_fault_) : std::nullopt;
   }
 
  private:
@@ -171,6 +164,11 @@ class FaultProxy {
     const std::lock_guard<std::mutex> lock(mutex_);
     apply();
     changed_.notify_all();
+  }
+
+  Conditions conditions() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return conditions_;
   }
 
   void receiveClientsBy(Welcome welcome) {
@@ -239,7 +237,7 @@ class FaultProxy {
       Bytes bytes(kMost);
       const ssize_t count = ::recv(stream->sender().get(), bytes.data(), bytes.size(), 0);
       if (count <= 0) {
-        change([&] { end(count == 0 ? Action::kHalfClose : Action::kReset, stream->link, stream->direction); });
+        change([&] { end(count == 0 ? Action::kHalfClose : Action::kReset, stream->link, stream->receiver()); });
         return;
       }
       bytes.resize(static_cast<std::size_t>(count));
@@ -248,7 +246,7 @@ class FaultProxy {
         if (step.fault && step.fault->action == Action::kPause) {
           pass(step.fault->time, *stream);
         } else if (step.fault) {
-          change([&] { end(step.fault->action, stream->link, stream->direction); });
+          change([&] { end(step.fault->action, stream->link, stream->receiver()); });
         }
       }
     }
@@ -288,7 +286,7 @@ class FaultProxy {
   void make(const Fault& fault, Stream* stream, std::vector<Step>* steps) {
     Bytes& before = steps->back().bytes;
     if (fault.action == Action::kDrop) {
-      stream->dropped += fault.count;
+      stream->dropped += fault.bytes.size();
     } else if (fault.action == Action::kInsert) {
       before.insert(before.end(), fault.bytes.begin(), fault.bytes.end());
     } else if (fault.action == Action::kFlip) {
@@ -297,15 +295,13 @@ class FaultProxy {
       steps->back().fault = fault;
       steps->emplace_back();
     }
-    ++faults_done_;
     last_fault_ = std::chrono::steady_clock::now();
     changed_.notify_all();
   }
 
   void send(const Bytes& bytes, Stream* stream) {
     constexpr std::size_t kPacket = 1460;  // the unit to which a rate applies
-    Conditions now;
-    change([&] { now = conditions_; });
+    const Conditions now = conditions();
     using Jitter = std::uniform_int_distribution<microseconds::rep>;
     bool goes_on = pass(now.delay + microseconds(Jitter(0, now.jitter.count())(stream->random)), *stream);
     for (std::size_t sent = 0, size = 0; goes_on && sent < bytes.size(); sent += size) {
@@ -315,7 +311,7 @@ class FaultProxy {
       size = std::min(size, bytes.size() - sent);
       goes_on = sendAll(stream->receiver(), &bytes[sent], size, [&] { return pass(microseconds(0), *stream); });
       if (!goes_on && errno != EPIPE) {  // what comes for a side that has got a FIN is lost
-        change([&] { end(Action::kReset, stream->link, stream->direction); });
+        change([&] { end(Action::kReset, stream->link, stream->receiver()); });
       }
       if (now.bytes_per_second > 0) {
         goes_on = goes_on && pass(microseconds(size * 1000000 / now.bytes_per_second), *stream);
@@ -323,18 +319,18 @@ class FaultProxy {
     }
   }
 
-  static void end(Action how, Link& link, Direction direction) {
+  static void end(Action how, Link& link, const host_files::FileDescriptor& receiver) {
     if (how == Action::kSilence) {
       link.is_silent = true;
     } else if (how == Action::kReset) {
       resetWhenClosed(link.client);
       resetWhenClosed(link.server);
       link.is_over = true;
+    } else if (how == Action::kClose) {
+      ::shutdown(link.client.get(), SHUT_WR);
+      ::shutdown(link.server.get(), SHUT_WR);
     } else {
-      ::shutdown((direction == Direction::kToClient ? link.client : link.server).get(), SHUT_WR);
-      if (how == Action::kClose) {
-        ::shutdown((direction == Direction::kToClient ? link.server : link.client).get(), SHUT_WR);
-      }
+      ::shutdown(receiver.get(), SHUT_WR);
     }
   }
 
@@ -348,7 +344,6 @@ class FaultProxy {
   std::deque<Fault> faults_;
   std::list<Link> links_;
   std::size_t connections_ = 0;
-  std::size_t faults_done_ = 0;
   TimePoint last_fault_;
   bool is_stopping_ = false;
   std::condition_variable changed_;

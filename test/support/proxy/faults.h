@@ -19,7 +19,7 @@ enum class Action {
   kReset,      ///< it is reset for both sides (RST)
   kHalfClose,  ///< it is closed for the receiver (FIN), and the other direction goes on
   kSilence,    ///< it stays open, but no more bytes get through in either direction
-  kDrop,       ///< `count` bytes are lost
+  kDrop,       ///< as many bytes are lost as `bytes` has
   kInsert,     ///< `bytes` are inserted
   kFlip,       ///< the next byte is combined with the first of `bytes` by exclusive or
   kPause       ///< the next bytes are delayed by `time`
@@ -36,7 +36,6 @@ struct Fault {
   Place place = Place::kByte;
   std::uint64_t offset = 0;
   Direction direction = Direction::kToClient;
-  std::size_t count = 0;
   Bytes bytes{};
   std::chrono::microseconds time{0};
 };

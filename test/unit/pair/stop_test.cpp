@@ -259,7 +259,7 @@ TEST(HeldJoystick, IsNotLetGoByWhatItsUserDoesNotDo) {
       {"freeze of the link",
        [&] {
          for (const Direction direction : {Direction::kToServer, Direction::kToClient}) {
-           robot.proxy().add({test_support::Action::kPause, test_support::Place::kByte, 0, direction, 0, {}, 600ms});
+           robot.proxy().add({test_support::Action::kPause, test_support::Place::kByte, 0, direction, {}, 600ms});
          }
          robot.client().commandEars(true, true);
        }},
