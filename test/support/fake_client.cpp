@@ -65,18 +65,6 @@ void RcServerClient::setStreamFormat(const StreamFormat& format) {
 void RcServerClient::setPictureTransport(PictureTransport transport) {
   tell(this, transport == PictureTransport::kUdp ? "udp" : "tcp");
 }
-void RcServerClient::setCameraSettings(const CameraSettings& settings) {
-  tell(this, "camera " + std::to_string(settings.white_balance) + " " + std::to_string(settings.gain) + " " +
-                 std::to_string(settings.shutter_speed) + (settings.auto_exposure ? " exposure" : "") +
-                 (settings.auto_white_balance ? " balance" : ""));
-}
-void RcServerClient::setColorDetection(const ColorDetection& detection) {
-  tell(this, detection.on ? "colors " + std::to_string(detection.every_nth_image) + (detection.with_mask ? " mask" : "")
-                          : "no colors");
-}
-void RcServerClient::setColorTable(int channel, ColorTablePtr table) {
-  tell(this, "table " + std::to_string(channel) + " " + (table ? table->name : "none"));
-}
 PicturePtr RcServerClient::takePicture(int quality, milliseconds timeout, std::optional<Resolution> resolution) {
   tell(this,
        "picture " + std::to_string(quality) +
@@ -182,9 +170,6 @@ std::vector<std::uint8_t> RcServerClient::fetchPicture(const std::string& name, 
 void RcServerClient::deletePicture(const std::string& name, milliseconds timeout) {
   tell(this, "delete " + name, timeout);
 }
-void RcServerClient::setMicrophone(const MicrophoneSettings& settings) {
-  tell(this, settings.on ? "listen " + std::to_string(settings.channels) : "do not listen");
-}
 SoundProgress RcServerClient::playSamples(std::uint64_t sound, const std::vector<std::int16_t>& samples, bool is_last,
                                           milliseconds timeout) {
   FakeClient& client = fake(this);
@@ -198,10 +183,6 @@ SoundProgress RcServerClient::playSamples(std::uint64_t sound, const std::vector
 }
 void RcServerClient::stopSound(milliseconds timeout) {
   tell(this, "stop sound", timeout);
-}
-int RcServerClient::setVolume(int volume, milliseconds timeout) {
-  tell(this, "volume " + std::to_string(volume), timeout);
-  return volume == kVolumeOfRobot ? 2 : volume;
 }
 void RcServerClient::shutDownRobot(milliseconds timeout) {
   tell(this, "shut down", timeout);

@@ -15,7 +15,7 @@
 
 namespace test_support {
 
-/// A client without a robot. It records the requests to the robot, and answers as a test demands. It is never started.
+/// A client without a robot. It records requests to the robot, and answers as a test demands. It is never started.
 /// In a program with fake_client.cpp, every RcServerClient has to be one of these.
 struct FakeClient : public aibo_client::RcServerClient {
   FakeClient() : RcServerClient(aibo_client::ClientOptions(), {}) {}
