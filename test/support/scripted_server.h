@@ -113,25 +113,18 @@ class ScriptedPeer : public RawConnection {
 /// A server on a free port of 127.0.0.1.
 class ScriptedServer {
  public:
-  enum class Begin { kListening, kAbsent };
-
-  /// @param begin kAbsent: the port is reserved, but connections are refused
-  explicit ScriptedServer(Begin begin = Begin::kListening) {
-    if (begin == Begin::kListening) {
-      listen();
-    }
-  }
+  ScriptedServer() { listen(); }
 
   int port() const { return port_; }
 
-  /// Begins to listen.
+  /// Begins to listen again.
   /// @param backlog one less than the number of clients that may wait for accept()
   void listen(int backlog = 16) { check(::listen(socket_.get(), backlog) == 0, "listen"); }
 
   /// Has the kernel take only few unread bytes from later clients.
   void limitReceiveBuffer() { setOption(socket_, SOL_SOCKET, SO_RCVBUF, 4096); }
 
-  /// Stops listening; the port stays reserved.
+  /// Stops listening; the port stays reserved, and connections are refused.
   void vanish() {
     socket_.close();
     socket_ = bindTo("127.0.0.1", port_, 0);

@@ -31,7 +31,7 @@ TEST_F(StopTest, BeforeItWasStarted) {
 }
 
 TEST_F(StopTest, WhileConnectingToAnAddressThatDoesNotAnswer) {
-  ScriptedServer full(ScriptedServer::Begin::kAbsent);
+  ScriptedServer full;
   full.listen(0);
   TcpTransport other;
   other.connect("127.0.0.1", full.port(), steady_clock::now() + seconds(10));

@@ -56,7 +56,8 @@ TEST(TcpTransportTest, BytesGoBothWays) {
 }
 
 TEST(TcpTransportTest, EachKindOfFailureIsRecognised) {
-  ScriptedServer absent(ScriptedServer::Begin::kAbsent);
+  ScriptedServer absent;
+  absent.vanish();
   TcpTransport transport;
   EXPECT_EQ(FaultKind::kRefused, faultOf([&] { transport.connect("127.0.0.1", absent.port(), soon()); }));
   EXPECT_EQ(FaultKind::kNameNotFound, faultOf([&] { transport.connect("no.such.robot.invalid", 54321, soon()); }));
@@ -69,8 +70,9 @@ TEST(TcpTransportTest, EachKindOfFailureIsRecognised) {
 }
 
 TEST(TcpTransportTest, AnAddressThatFailsOrDoesNotAnswerLeavesTimeToOthers) {
-  ScriptedServer absent(ScriptedServer::Begin::kAbsent);
-  ScriptedServer full(ScriptedServer::Begin::kAbsent);
+  ScriptedServer absent;
+  absent.vanish();
+  ScriptedServer full;
   full.listen(0);
   TcpTransport other;
   other.connect("127.0.0.1", full.port(), soon());
