@@ -18,19 +18,8 @@ constexpr std::size_t kRemembered = 4096;
 constexpr int kStopCheck = 100;  // ms
 
 bool sendAll(const host_files::FileDescriptor& client, const std::string& bytes) {
-  std::size_t sent = 0;
-  while (sent < bytes.size()) {
-    pollfd polled{client.get(), POLLOUT, 0};
-    if (::poll(&polled, 1, kStopCheck) < 0) {
-      return false;
-    }
-    const ssize_t part = ::send(client.get(), bytes.data() + sent, bytes.size() - sent, MSG_NOSIGNAL);
-    if (part < 0 && errno != EAGAIN) {
-      return false;
-    }
-    sent += part < 0 ? 0 : static_cast<std::size_t>(part);
-  }
-  return true;
+  const auto* const begin = reinterpret_cast<const std::uint8_t*>(bytes.data());
+  return test_support::sendAll(client, begin, bytes.size(), [] { return true; });
 }
 
 // Waits for the end of the client's request.

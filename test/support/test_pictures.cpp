@@ -52,21 +52,16 @@ Bytes make(const PictureKind& kind) {
 }
 
 Bytes makeNumbered(unsigned seed) {
-  PictureKind kind;
-  kind.seed = seed;
-  return make(kind);
+  return make({208, 160, 85, TJSAMP_420, 0, seed});
 }
 
 Bytes makeNamed(const Name& name) {
-  const Bytes& jpeg = scene(name.number);
-  Bytes picture;
-  picture.reserve(jpeg.size() + kComment.size() + sizeof(NameBytes));
-  picture.assign(jpeg.begin(), jpeg.begin() + kStart);
-  picture.insert(picture.end(), kComment.begin(), kComment.end());
-  picture.resize(picture.size() + sizeof(NameBytes));
   const NameBytes bytes = {name.connection, name.number};
-  std::memcpy(&picture[picture.size() - sizeof bytes], bytes.data(), sizeof bytes);
-  picture.insert(picture.end(), jpeg.begin() + kStart, jpeg.end());
+  Bytes comment(kComment.begin(), kComment.end());
+  comment.resize(kComment.size() + sizeof bytes);
+  std::memcpy(&comment[kComment.size()], bytes.data(), sizeof bytes);
+  Bytes picture = scene(name.number);
+  picture.insert(picture.begin() + kStart, comment.begin(), comment.end());
   return picture;
 }
 

@@ -3,20 +3,6 @@
 #include <cstdlib>
 
 namespace test_support {
-namespace {
-
-std::vector<std::string> command(const std::string& program, const std::string& name_space, int port,
-                                 const std::vector<std::string>& parameters) {
-  std::vector<std::string> result{program, "__ns:=" + name_space, "_port:=" + std::to_string(port)};
-  result.insert(result.end(), parameters.begin(), parameters.end());
-  return result;
-}
-
-}  // namespace
-
-DriverProcess::DriverProcess(const std::string& name_space, int port, const std::vector<std::string>& parameters,
-                             const std::map<std::string, std::string>& environment, const std::string& program)
-    : Process(command(program, name_space, port, parameters), environment) {}
 
 std::vector<std::string> nodeletHost(const std::vector<std::string>& arguments) {
   std::vector<std::string> command{"rosrun"};

@@ -26,7 +26,14 @@ class DriverProcess : public Process {
   /// @param program another executable that takes the same arguments
   DriverProcess(const std::string& name_space, int port, const std::vector<std::string>& parameters = {},
                 const std::map<std::string, std::string>& environment = {},
-                const std::string& program = AIBO_DRIVER_NODE);
+                const std::string& program = AIBO_DRIVER_NODE)
+      : Process(command({program, "__ns:=" + name_space, "_port:=" + std::to_string(port)}, parameters), environment) {}
+
+ private:
+  static std::vector<std::string> command(std::vector<std::string> words, const std::vector<std::string>& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
 };
 
 /// The command that starts ROS' host of nodelets. In a build with a sanitizer, the sanitizer's library is preloaded,

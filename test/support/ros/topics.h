@@ -62,8 +62,7 @@ class TopicListener {
 
   /// Waits for the first message; one that has come already counts, such as that of a latched topic.
   ConstPtr waitForFirst() {
-    const std::vector<ConstPtr> messages = waitForCount(1);
-    return messages.empty() ? nullptr : messages.front();
+    return waitFor([](const Message&) { return true; });
   }
 
   /// Waits for a message that comes after this call.

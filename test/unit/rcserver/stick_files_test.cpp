@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include "motion_bytes.h"
-#include "support/full_disk.h"
 #include "support/memory_stick.h"
 
 namespace {

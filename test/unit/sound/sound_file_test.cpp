@@ -8,7 +8,6 @@
 
 #include "files/files.h"
 #include "sound/recording.h"
-#include "support/full_disk.h"
 #include "support/gzip.h"
 #include "support/refusal.h"
 #include "support/temporary_folder.h"
