@@ -92,8 +92,15 @@ TEST(PlayMotionGoal, SaysHowTheMotionEndedEarly) {
        },
        State::PREEMPTED, EndedMovement::REPLACED},
       {"a stop", [&](PlayGoal&) { user.call<std_srvs::Trigger>("stop"); }, State::ABORTED, EndedMovement::STOPPED},
+      {"the connection is lost",
+       [&](PlayGoal&) {
+         user.proxy.setWelcome(test_support::Welcome::kRefuse);
+         user.proxy.endConnections(test_support::Action::kReset);
+       },
+       State::ABORTED, EndedMovement::LOST},
   };
   for (const auto& [name, happen, state, how] : rows) {
+    user.call<std_srvs::Trigger>("release");
     const auto goal = PlayGoal::begin(user.client, PlayUser::nod(100));
     happen(*goal);
     EXPECT_EQ(goal->waitForEnd(), state) << name;

@@ -192,7 +192,7 @@ class LaunchFilesTest(unittest.TestCase):
         self.assertIs(driver_parameters(resolve('demo.launch', walk=True, guard=True))['guard'], True)
 
     def test_teleop_by_joystick_has_its_mapping(self):
-        other = PROJECT / 'config/diagnostics_aggregator.yaml'  # any other file
+        other = PROJECT / 'config/joy_playstation.yaml'
         for given, file, device in (({}, PROJECT / 'config/joy.yaml', '/dev/input/js0'),
                                     ({'joy_config': other, 'joy_dev': '/dev/input/js7'}, other, '/dev/input/js7')):
             config = resolve('teleop.launch', joy=True, ns='left', **given)
@@ -200,6 +200,7 @@ class LaunchFilesTest(unittest.TestCase):
                              {name[1:]: value for name, value in flat('', yaml.safe_load(file.read_text('utf-8')))})
             self.assertEqual(set(nodes(config)), {'/left/aibo_teleop_joy', '/aibo_joy'})
             self.assertEqual(parameters(config)['/aibo_joy/dev'], device)
+        self.assertEqual(*(set(yaml.safe_load(file.read_text('utf-8'))) for file in (PROJECT / 'config/joy.yaml', other)))
         speeds = {'speed': 0.2, 'side_speed': 0.03, 'turn_speed': 0.7}
         config = resolve('teleop.launch', ns='left', **speeds)
         self.assertEqual(driver_parameters(config, '/left/aibo_teleop_keyboard'), speeds)

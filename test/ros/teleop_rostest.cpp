@@ -44,6 +44,7 @@ TEST_F(KeyboardTest, WalksWhileAKeyIsHeldDownAndThenStops) {
   TopicListener<Twist> commands("/keys/cmd_vel");
   Process teleop(command("__ns:=/keys _speed:=0.2"));
   teleop.waitForOutput("speeds: 0.200 m/s");
+  EXPECT_THAT(teleop.output(), testing::HasSubstr("Hold a key down to walk:\n"));
   EXPECT_EQ(commands.count(), 0u) << "others may steer while no key is pressed";
   keys_.type("i");
   ASSERT_TRUE(commands.waitFor([](const Twist& each) { return each.linear.x == 0.2; }));

@@ -149,6 +149,7 @@ TEST(Walk, IsUnknownToVersion1AndTheRobotStandsWhereItBegan) {
   Walker walker("/walk1", {}, {"--protocol-version", "1"});
   EXPECT_TRUE(tf.waitFor(
       [](const tf2_msgs::TFMessage& each) { return each.transforms[0].child_frame_id == "rex/base_footprint"; }));
+  tf.waitForCount(tf.count() + 50);
   EXPECT_EQ(walker.odom.count(), 0u);
 }
 

@@ -156,6 +156,19 @@ TEST_F(DatagramsTest, OnlyTheClientAcknowledgesAllPicturesBeforeTheOneNamed) {
   EXPECT_FALSE(nextPicture(receiver).empty());
 }
 
+TEST_F(DatagramsTest, WithoutAStatusTheNextPictureWaitsForAsLongAsTheDocumentSays) {
+  UdpSocket receiver;
+  robot_.showNoise();
+  streamTo(receiver);
+  nextPicture(receiver);
+  const size_t patience = 6 + 2 * nextPicture(receiver).size();
+  size_t images = 1;
+  while (nextPicture(receiver).empty() && images < 100) {
+    ++images;
+  }
+  EXPECT_EQ(images, (patience + FakeRobot::kFramesPerImage - 1) / FakeRobot::kFramesPerImage);
+}
+
 TEST_F(DatagramsTest, ATestIsOneDatagramOfFullSizeAndChangesNothing) {
   UdpSocket receiver;
   answerTo('W', 85, kStreamOn);
