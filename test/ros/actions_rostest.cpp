@@ -9,8 +9,8 @@
 #include <list>
 
 #include "node/goal_server.h"
-#include "support/ros/goal_watch.h"
-#include "support/ros/joint_user.h"
+#include "ros/goal_watch.h"
+#include "ros/joint_user.h"
 
 namespace {
 

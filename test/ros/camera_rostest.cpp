@@ -14,9 +14,9 @@
 
 #include <fstream>
 
+#include "ros/diagnostics_listener.h"
+#include "ros/driver_user.h"
 #include "support/good_calibration.h"
-#include "support/ros/diagnostics_listener.h"
-#include "support/ros/driver_user.h"
 #include "support/temporary_folder.h"
 
 namespace {

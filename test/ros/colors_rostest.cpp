@@ -5,7 +5,7 @@
 #include <sensor_msgs/Image.h>
 
 #include "protocol/color_requests.h"
-#include "support/ros/driver_user.h"
+#include "ros/driver_user.h"
 
 namespace {
 

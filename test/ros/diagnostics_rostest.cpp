@@ -9,9 +9,9 @@
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
+#include "ros/diagnostics_listener.h"
 #include "support/picture_server.h"
 #include "support/proxy/fault_proxy.h"
-#include "support/ros/diagnostics_listener.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/topics.h"
 #include "support/simulated_robot.h"

@@ -12,7 +12,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "support/ros/joint_user.h"
+#include "ros/joint_user.h"
 
 namespace {
 

@@ -19,9 +19,9 @@
 #include <regex>
 
 #include "node/xmlrpc_peer.h"
+#include "ros/driver_user.h"
 #include "support/memory_stick.h"
 #include "support/raw_client.h"
-#include "support/ros/driver_user.h"
 #include "support/test_pictures.h"
 
 namespace {

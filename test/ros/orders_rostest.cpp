@@ -10,7 +10,7 @@
 #include <future>
 
 #include "robot_model/robot_model.h"
-#include "support/ros/joint_user.h"
+#include "ros/joint_user.h"
 
 namespace {
 

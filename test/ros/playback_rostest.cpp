@@ -11,7 +11,7 @@
 
 #include <csignal>
 
-#include "support/ros/joint_user.h"
+#include "ros/joint_user.h"
 #include "support/temporary_folder.h"
 #include "tools/playback/recording.h"
 

@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <sensor_msgs/CompressedImage.h>
 
-#include "support/ros/driver_user.h"
-#include "support/ros/fake_driver.h"
+#include "ros/driver_user.h"
+#include "ros/fake_driver.h"
 
 namespace {
 

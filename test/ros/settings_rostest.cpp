@@ -9,7 +9,7 @@
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/CompressedImage.h>
 
-#include "support/ros/driver_user.h"
+#include "ros/driver_user.h"
 #include "support/ros/joints.h"
 
 namespace {

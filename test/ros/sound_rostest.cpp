@@ -11,8 +11,8 @@
 #include <numeric>
 
 #include "protocol/sound_requests.h"
-#include "support/ros/driver_user.h"
-#include "support/ros/goal_watch.h"
+#include "ros/driver_user.h"
+#include "ros/goal_watch.h"
 #include "support/scripted_server.h"
 #include "support/temporary_folder.h"
 #include "unit/sound/wav_files.h"

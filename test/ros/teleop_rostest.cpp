@@ -8,9 +8,9 @@
 
 #include <csignal>
 
+#include "ros/driver_user.h"
+#include "ros/fake_driver.h"
 #include "support/pseudo_terminal.h"
-#include "support/ros/driver_user.h"
-#include "support/ros/fake_driver.h"
 
 namespace {
 

@@ -10,8 +10,8 @@
 #include <cmath>
 
 #include "protocol/big_endian.h"
-#include "support/ros/goal_watch.h"
-#include "support/ros/joint_user.h"
+#include "ros/goal_watch.h"
+#include "ros/joint_user.h"
 
 namespace {
 

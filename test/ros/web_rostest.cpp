@@ -17,9 +17,9 @@
 #include <csignal>
 #include <deque>
 
+#include "ros/driver_user.h"
 #include "support/proxy/fault_proxy.h"
 #include "support/resources.h"
-#include "support/ros/driver_user.h"
 
 namespace {
 

@@ -6,9 +6,9 @@
 
 #include "node/services.h"
 #include "support/fake_client.h"
-#include "support/ros/call_service.h"
 #include "support/temporary_folder.h"
 #include "support/test_pictures.h"
+#include "unit/driver/call_service.h"
 
 namespace aibo_driver::node {
 namespace {

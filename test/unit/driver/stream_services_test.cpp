@@ -5,8 +5,8 @@
 
 #include "node/services.h"
 #include "support/fake_client.h"
-#include "support/ros/call_service.h"
 #include "support/temporary_folder.h"
+#include "unit/driver/call_service.h"
 
 namespace aibo_driver::node {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "node/services.h"
 #include "support/fake_client.h"
-#include "support/ros/call_service.h"
+#include "unit/driver/call_service.h"
 
 namespace aibo_driver::node {
 namespace {

@@ -1,6 +1,6 @@
 /// @file diagnostics_listener.h
-#ifndef TEST_SUPPORT_ROS_DIAGNOSTICS_LISTENER_H
-#define TEST_SUPPORT_ROS_DIAGNOSTICS_LISTENER_H
+#ifndef TEST_ROS_DIAGNOSTICS_LISTENER_H
+#define TEST_ROS_DIAGNOSTICS_LISTENER_H
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 
@@ -53,4 +53,4 @@ class DiagnosticsListener {
 
 }  // namespace test_support
 
-#endif  // TEST_SUPPORT_ROS_DIAGNOSTICS_LISTENER_H
+#endif  // TEST_ROS_DIAGNOSTICS_LISTENER_H

@@ -1,6 +1,6 @@
 /// @file joint_user.h
-#ifndef TEST_SUPPORT_ROS_JOINT_USER_H
-#define TEST_SUPPORT_ROS_JOINT_USER_H
+#ifndef TEST_ROS_JOINT_USER_H
+#define TEST_ROS_JOINT_USER_H
 
 #include <aibo_driver/Connection.h>
 #include <gmock/gmock.h>
@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "support/ros/driver_user.h"
+#include "ros/driver_user.h"
 #include "support/ros/joints.h"
 
 namespace test_support {
@@ -58,4 +58,4 @@ class JointUser : public DriverUser {
 
 }  // namespace test_support
 
-#endif  // TEST_SUPPORT_ROS_JOINT_USER_H
+#endif  // TEST_ROS_JOINT_USER_H

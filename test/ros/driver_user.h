@@ -1,6 +1,6 @@
 /// @file driver_user.h
-#ifndef TEST_SUPPORT_ROS_DRIVER_USER_H
-#define TEST_SUPPORT_ROS_DRIVER_USER_H
+#ifndef TEST_ROS_DRIVER_USER_H
+#define TEST_ROS_DRIVER_USER_H
 
 #include <aibo_driver/Connection.h>
 #include <aibo_driver/MotionState.h>
@@ -15,7 +15,7 @@
 #include <thread>
 #include <vector>
 
-#include "support/proxy/recording_proxy.h"
+#include "ros/recording_proxy.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/topics.h"
 #include "support/simulated_robot.h"
@@ -109,4 +109,4 @@ class DriverUser : public TopicPublishers {
 
 }  // namespace test_support
 
-#endif  // TEST_SUPPORT_ROS_DRIVER_USER_H
+#endif  // TEST_ROS_DRIVER_USER_H

@@ -1,6 +1,6 @@
 /// @file call_service.h
-#ifndef TEST_SUPPORT_ROS_CALL_SERVICE_H
-#define TEST_SUPPORT_ROS_CALL_SERVICE_H
+#ifndef TEST_UNIT_DRIVER_CALL_SERVICE_H
+#define TEST_UNIT_DRIVER_CALL_SERVICE_H
 
 #include <gtest/gtest.h>
 #include <ros/advertise_service_options.h>
@@ -42,4 +42,4 @@ typename Service::Response callService(const std::vector<ros::AdvertiseServiceOp
 
 }  // namespace test_support
 
-#endif  // TEST_SUPPORT_ROS_CALL_SERVICE_H
+#endif  // TEST_UNIT_DRIVER_CALL_SERVICE_H

@@ -1,6 +1,6 @@
 /// @file recording_proxy.h
-#ifndef TEST_SUPPORT_PROXY_RECORDING_PROXY_H
-#define TEST_SUPPORT_PROXY_RECORDING_PROXY_H
+#ifndef TEST_ROS_RECORDING_PROXY_H
+#define TEST_ROS_RECORDING_PROXY_H
 
 #include <algorithm>
 #include <iterator>
@@ -72,4 +72,4 @@ class RecordingProxy : public Recording, public FaultProxy {
 
 }  // namespace test_support
 
-#endif  // TEST_SUPPORT_PROXY_RECORDING_PROXY_H
+#endif  // TEST_ROS_RECORDING_PROXY_H

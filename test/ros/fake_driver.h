@@ -1,6 +1,6 @@
 /// @file fake_driver.h
-#ifndef TEST_SUPPORT_ROS_FAKE_DRIVER_H
-#define TEST_SUPPORT_ROS_FAKE_DRIVER_H
+#ifndef TEST_ROS_FAKE_DRIVER_H
+#define TEST_ROS_FAKE_DRIVER_H
 
 #include <aibo_driver/MotionState.h>
 #include <aibo_driver/RobotState.h>
@@ -123,4 +123,4 @@ class FakeDriver {
 
 }  // namespace test_support
 
-#endif  // TEST_SUPPORT_ROS_FAKE_DRIVER_H
+#endif  // TEST_ROS_FAKE_DRIVER_H

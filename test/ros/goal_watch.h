@@ -1,6 +1,6 @@
 /// @file goal_watch.h
-#ifndef TEST_SUPPORT_ROS_GOAL_WATCH_H
-#define TEST_SUPPORT_ROS_GOAL_WATCH_H
+#ifndef TEST_ROS_GOAL_WATCH_H
+#define TEST_ROS_GOAL_WATCH_H
 
 #include <actionlib/client/action_client.h>
 #include <gtest/gtest.h>
@@ -107,4 +107,4 @@ class GoalWatch {
 
 }  // namespace test_support
 
-#endif  // TEST_SUPPORT_ROS_GOAL_WATCH_H
+#endif  // TEST_ROS_GOAL_WATCH_H
