@@ -44,11 +44,13 @@ class Watch {
   DiagnosticStatus waitFor(
       const std::string& what, int level, const std::string& text = "",
       const std::function<void()>& meanwhile = [] {}) {
+    std::string last = "nothing";
     const DiagnosticStatus status = listener_.waitFor(node_ + what, [&](const DiagnosticStatus& each) {
+      last = each.message;
       meanwhile();
       return each.level == level && each.message.find(text) != std::string::npos;
     });
-    EXPECT_NE(status.name, "") << what << " never says: " << text;
+    EXPECT_NE(status.name, "") << what << " never says: " << text << "; at last it says: " << last;
     return status;
   }
 
