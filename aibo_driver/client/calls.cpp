@@ -14,7 +14,7 @@ namespace version2 = protocol::version2;
 namespace {
 
 /// @param name the name of a file, which gets into the payload in capitals
-/// @param read protocol::readMotionName() or protocol::readPictureName()
+/// @param read protocol::readMotionName(), protocol::readPictureName() or readNewMotionName()
 template <typename Payload>
 Call callForFile(const version2::Request& request, Payload payload, const std::string& name,
                  version2::ReadFileName read, int id = 0) {
@@ -22,6 +22,11 @@ Call callForFile(const version2::Request& request, Payload payload, const std::s
     throw InvalidArgumentException("'" + name + "': " + problem);
   }
   return makeCall(request, payload, payload.name, id);
+}
+
+const char* readNewMotionName(const char* text, std::size_t size, protocol::FileName& name) {
+  const char* const problem = protocol::readMotionName(text, size, name);
+  return problem != nullptr ? problem : protocol::problemOfNewMotionName(name);
 }
 
 }  // namespace
@@ -69,7 +74,7 @@ Call callToStop(const std::string& name) {
 Call callToStore(const std::string& name, const std::vector<std::uint8_t>& content, bool leaves_out_missing_joints) {
   checkRange("the motion's size", static_cast<long long>(content.size()), 1, version2::MAX_MOTION_FILE_SIZE, " bytes");
   const version2::MotionUpload upload = {"", content.data(), content.size()};
-  return callForFile(version2::STORE_MOTION, upload, name, protocol::readMotionName,
+  return callForFile(version2::STORE_MOTION, upload, name, readNewMotionName,
                      leaves_out_missing_joints ? version2::LEAVE_OUT_MISSING_JOINTS : 0);
 }
 

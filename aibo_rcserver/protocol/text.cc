@@ -94,6 +94,27 @@ bool isAllowedInName(const char* stem, size_t size) {
   return true;
 }
 
+// True if Windows takes the name for a device, whatever its ending is.
+bool isDevice(const char* name, size_t stem_size) {
+  static const char* const DEVICES[] = {"CON", "PRN", "AUX", "NUL", "CLOCK$"};
+  for (size_t i = 0; i < sizeof(DEVICES) / sizeof(DEVICES[0]); ++i) {
+    if (stem_size == strlen(DEVICES[i]) && strncmp(name, DEVICES[i], stem_size) == 0) {
+      return true;
+    }
+  }
+  const bool is_port = strncmp(name, "COM", 3) == 0 || strncmp(name, "LPT", 3) == 0;
+  return is_port && stem_size == 4 && name[3] >= '0' && name[3] <= '9';
+}
+
+// True if Windows may use the name as the short form of a longer one, such as "WAG~1".
+bool standsForLongName(const char* name, size_t stem_size) {
+  size_t digits = 0;
+  while (digits < stem_size && name[stem_size - 1 - digits] >= '0' && name[stem_size - 1 - digits] <= '9') {
+    ++digits;
+  }
+  return digits > 0 && digits < stem_size && name[stem_size - 1 - digits] == '~';
+}
+
 bool endsIn(const char (&ending)[ENDING_SIZE + 1], const char* text, size_t size) {
   for (size_t i = 0; size >= ENDING_SIZE && i < ENDING_SIZE; ++i) {
     if (capital(text[size - ENDING_SIZE + i]) != ending[i]) {
@@ -165,6 +186,17 @@ const char* readMotionName(const char* text, size_t size, MotionName& name) {
 
 const char* readPictureName(const char* text, size_t size, PictureName& name) {
   return endsIn(".JPG", text, size) ? readFileName(text, size, name) : "the name of the picture does not end in .JPG";
+}
+
+const char* problemOfNewMotionName(const MotionName& name) {
+  const size_t stem_size = strlen(name) - ENDING_SIZE;
+  if (isDevice(name, stem_size)) {
+    return "the name of the motion is that of a device on Windows, where it could not be read; choose another one";
+  }
+  if (standsForLongName(name, stem_size)) {
+    return "the name of the motion ends in ~ and digits, and could stand for another file; choose another one";
+  }
+  return NULL;
 }
 
 }  // namespace protocol

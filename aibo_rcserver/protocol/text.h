@@ -47,6 +47,11 @@ const char* readMotionName(const char* text, size_t size, MotionName& name);
 /// Does the same for a picture, whose name ends in ".JPG".
 const char* readPictureName(const char* text, size_t size, PictureName& name);
 
+/// Checks whether anybody may store a file under a name that readMotionName() accepts: Windows takes CON, COM1 and the
+/// like for devices, and a name with `~` and digits at its end could replace a file with a longer name.
+/// @return NULL, or what is wrong, in words that a user can act on
+const char* problemOfNewMotionName(const MotionName& name);
+
 }  // namespace protocol
 
 #endif  // AIBO_RCSERVER_PROTOCOL_TEXT_H

@@ -292,6 +292,7 @@ class OnBothVersions:
     def test_uploads_and_deletes_only_what_is_allowed(self):
         self.aibo("upload", NOD, "wave", status=FAILED)
         self.assertIn("not a motion", self.aibo("upload", PROJECT / "package.xml", "wave", status=FAILED).errors)
+        self.aibo("upload", NOD, "con", status=WRONG_USAGE)
         self.aibo("delete", "nod", status=FAILED)
 
     def test_watches_the_stream(self):

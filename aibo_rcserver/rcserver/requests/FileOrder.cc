@@ -45,6 +45,9 @@ FileOrder::Outcome FileOrder::StoreMotion(const protocol::MotionName& name, cons
     return Fail(REFUSED, "%lu bytes are too many: a motion may have %lu", static_cast<unsigned long>(size),
                 static_cast<unsigned long>(mtn::MAX_FILE_SIZE));
   }
+  if (const char* problem = protocol::problemOfNewMotionName(name)) {
+    return Fail(REFUSED, "%s: %s", name, problem);
+  }
   if (!checked_.read(content, size)) {
     return Fail(REFUSED, "%s is not a motion file: %s", name, checked_.problem());
   }

@@ -131,6 +131,23 @@ TEST(PictureName, IsUpToEightCharactersAndJpg) {
   EXPECT_STREQ(name, "AIBO0001.JPG") << "unchanged";
 }
 
+bool isAllowedForNew(const std::string& text) {
+  MotionName name;
+  EXPECT_EQ(readMotionName(text.data(), text.size(), name), nullptr) << text;
+  return problemOfNewMotionName(name) == nullptr;
+}
+
+TEST(MotionName, OfANewFileIsNeitherADeviceNorStandsForALongerName) {
+  for (const char* text : {"CON.MTN", "con.mtn", "PRN.MTN", "AUX.MTN", "NUL.MTN", "CLOCK$.MTN", "COM0.MTN", "COM1.MTN",
+                           "COM9.MTN", "LPT1.MTN", "WAG~1.MTN", "A~12.MTN", "SIT_AN~1.MTN", "~1.MTN"}) {
+    EXPECT_FALSE(isAllowedForNew(text)) << text;
+  }
+  for (const char* text : {"CONE.MTN", "CO.MTN", "COM.MTN", "COMA.MTN", "COM-.MTN", "COM10.MTN", "WAG1.MTN", "LPT.MTN",
+                           "NULL.MTN", "ICON.MTN", "1.MTN", "12345678.MTN", "~.MTN", "~A1.MTN", "WAG~.MTN", "A1.MTN"}) {
+    EXPECT_TRUE(isAllowedForNew(text)) << text;
+  }
+}
+
 TEST(MotionName, HasNoOtherCharacters) {
   const std::string allowed = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789!#$%&'()-@^_`{}~";
   for (int byte = 0; byte < 256; ++byte) {

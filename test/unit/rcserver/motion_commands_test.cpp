@@ -88,6 +88,8 @@ TEST_F(MotionsInVersion1, AFileThatIsNotAMotionIsNotStored) {
   EXPECT_EQ(answerTo(upload("NEW.MTN", "no motion")), "e0 0");
   EXPECT_EQ(answerTo(upload("NEW.MTN", "")), "e0 0");
   EXPECT_EQ(answerTo(upload("NEW.TXT", motion_)), "e0 2");
+  EXPECT_EQ(answerTo(upload("COM1.MTN", motion_)), "e0 0");
+  EXPECT_EQ(answerTo(upload("WAG~1.MTN", motion_)), "e0 0");
   EXPECT_EQ(answerTo(upload("NEW.MTN", motionBytes("robot ERS-210\nat 0 head_roll 0\n"))), "e0 0");
   EXPECT_EQ(answerTo(fileRequest('U', "NEW.MTN", 1000)), "e0 0") << "at once, before any of the content has arrived";
   EXPECT_THAT(motions(), ElementsAre("LIE.MTN", "NOD.MTN", "SIT.MTN", "WAG.MTN"));

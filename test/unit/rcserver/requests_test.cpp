@@ -148,6 +148,7 @@ const RefusedRequest kRefusals[] = {
     {'P', 0, playPayload("BAD.MTN", 1), CODE_REFUSED, "BAD.MTN is not a motion file"},
     {'N', 0, "a", CODE_REFUSED, "bad request"},
     {'U', 0, uploadPayload("../NOD.MTN", "x"), CODE_REFUSED, "bad request"},
+    {'U', 0, uploadPayload("WAG~1.MTN", "x"), CODE_REFUSED, "could stand for another file"},
     {'U', 0, uploadPayload("NEW.MTN", "OMTN"), CODE_REFUSED, "NEW.MTN is not a motion file"},
     {'U', 0, uploadPayload("NEW.MTN", std::string(64001, 'x')), CODE_REFUSED, "64001 bytes are too many"},
     {'D', 0, "../NOD.MTN", CODE_REFUSED, "bad request"},
