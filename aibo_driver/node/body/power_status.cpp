@@ -69,7 +69,7 @@ void PowerStatus::report(bool asked, std::uint64_t connection, DiagnosticStatusW
                                              (last.empty() ? "" : "; last measured: " + last));
     return;
   }
-  const bool is_present = connection == connection_;
+  const bool is_present = connection_ >= connection;
   if (is_present && charge_) {
     status.summary(DiagnosticStatus::OK, last);
     status.addf("charge, %", "%.0f", 100 * *charge_);

@@ -33,7 +33,7 @@ class PowerStatus {
   void update(const aibo_client::Telemetry& telemetry);
 
   /// @param asked whether the robot is connected and was asked for telemetry; only then is silence a fault
-  /// @param connection the number of the present connection; values of an earlier one do not count as measured
+  /// @param connection the number of the present connection; what was measured over an earlier one does not count
   void report(bool asked, std::uint64_t connection, diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
  private:
