@@ -31,7 +31,7 @@ Call callToSavePicture(int quality);
 Call callToFetchPicture(const std::string& name);
 Call callToDeletePicture(const std::string& name);
 
-/// @param samples as many as the part has; if there are none, the call stops the sound
+/// @param samples the samples of the part. Without samples, the call stops the sound
 Call callToPlaySamples(const SoundPart& part, const std::vector<std::int16_t>& samples);
 Call callForVolume(int volume);
 

@@ -33,7 +33,7 @@ class TransportChoice {
 
   TransportChoice(Connection& connection, DatagramIntake& datagrams);
 
-  /// The next order for the robot; empty if there is none. The caller has to send it, because it then counts as sent.
+  /// The next order for the robot. It counts as sent, so the caller has to send it. Empty if nothing is to be ordered.
   std::optional<Order> next(const Settings& wanted, TimePoint now);
 
   /// Call this when the robot has answered an order. Datagrams may come before.

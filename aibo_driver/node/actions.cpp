@@ -93,8 +93,8 @@ Posture postureNamed(const std::string& name) {
       return posture;
     }
   }
-  throw aibo_client::InvalidArgumentException("there is no posture '" + text::plainLine(name) +
-                                              "'; there are stand, sit and rest.");
+  throw aibo_client::InvalidArgumentException("the posture '" + text::plainLine(name) +
+                                              "' is not one of stand, sit or rest.");
 }
 
 // Returns a function that ends a movement when its goal is cancelled.

@@ -12,8 +12,8 @@
 namespace protocol {
 namespace version2 {
 
-/// Payload of `B` and its reply. The client chooses the last two at random, so that nobody else knows the numbers of
-/// the datagrams.
+/// Payload of `B` and its reply. The client chooses the first numbers at random, so that nobody else knows the numbers
+/// of the datagrams.
 struct DatagramOrder {
   unsigned short port;  ///< 0: no datagrams
   bool is_test;

@@ -5,9 +5,10 @@
 /// big-endian, angles are in microradians, times on the robot are in OPEN-R frames of 8 ms. Numbers whose source is not
 /// named are our choice.
 ///
-/// encode() and decode() in fields.h convert each payload struct. Its visit() has the layout, as docs/protocol.md. The
-/// request's row (request.h) is next to its payload. Other headers have more payloads: hello.h, motion_requests.h,
-/// walk_requests.h, camera_settings.h, color_requests.h, picture_datagram.h, stick_pictures.h and sound_requests.h.
+/// encode() and decode() in fields.h convert each payload struct. Its visit() shows the layout, and so does
+/// docs/protocol.md. The request's row (request.h) is next to its payload. Other headers have more payloads: hello.h,
+/// motion_requests.h, walk_requests.h, camera_settings.h, color_requests.h, picture_datagram.h, stick_pictures.h and
+/// sound_requests.h.
 #ifndef AIBO_RCSERVER_PROTOCOL_VERSION2_H
 #define AIBO_RCSERVER_PROTOCOL_VERSION2_H
 

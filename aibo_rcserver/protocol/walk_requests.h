@@ -66,8 +66,8 @@ struct WalkLimits {
   double turn;     ///< rad/s, in either direction
 };
 
-/// Payload of `E`, whose id is a Posture. The empty reply comes when the robot begins to move; a
-/// pushed `i` (ENDED_POSTURE) says how it ended.
+/// Payload of `E`, whose id is a Posture. The empty reply comes when the robot begins to move. A pushed `i`
+/// (ENDED_POSTURE) says how the posture ended.
 struct PostureOrder {
   unsigned not_after;  ///< frame (isTooOld())
 

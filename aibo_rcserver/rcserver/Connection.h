@@ -99,11 +99,16 @@ class Connection {
   /// True if a client has connected since the last call of Listen().
   bool HadClient() const { return client_.name[0] != '\0'; }
 
-  // Frames since the client connected; since bytes last came from it; since it gave a sign of life: bytes, or a send
-  // that has completed; and since bytes came, or it took some that had waited in the IPStack.
+  /// OPEN-R frames since the client connected.
   longword FramesConnected() const { return now_ - client_.connected; }
+
+  /// Frames since bytes last came from the client.
   longword FramesWithoutBytes() const { return now_ - client_.last_bytes; }
+
+  /// Frames since the client's last sign of life: bytes came from it, or a send was completed.
   longword FramesWithoutSign() const { return std::min(FramesWithoutBytes(), now_ - client_.last_sent); }
+
+  /// Frames since bytes came from the client, or the client took bytes that had waited in the IPStack.
   longword FramesQuiet() const { return std::min(FramesWithoutBytes(), now_ - client_.last_taken); }
 
   /// The client's address as a number; 127.0.0.1 is 0x7f000001.

@@ -63,8 +63,7 @@ class PowerDown {
   bool IsOverdue(longword now) const { return is_noted_ && now - noted_since_ >= FILE_FRAMES; }
 
   /// Carries out the order, if there is one. The robot lies down if it has to. It goes off when it has lain down and
-  /// the memory stick's job is done, or when this takes too long. Call this when there is no client any more, and then
-  /// in each frame.
+  /// the memory stick's job is done, or when this takes too long. Once the client is gone, call this in each frame.
   void CarryOut(longword now);
 
  private:

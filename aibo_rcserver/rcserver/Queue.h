@@ -24,7 +24,7 @@ class Queue {
   }
 
   /// Takes the oldest item out.
-  /// @return false if there is none
+  /// @return false if the queue is empty
   bool Take(Item* item) {
     if (IsEmpty()) {
       return false;

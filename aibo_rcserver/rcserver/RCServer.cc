@@ -563,7 +563,7 @@ bool RCServer::SendContent(size_t header_size, const byte* content, size_t size)
 
 void RCServer::DropWithoutPicture(const char* problem) {
   OSYSLOG1((osyslogERROR, "RCServer: no picture: %s", problem));
-  DropClient("there is no picture for it", true);
+  DropClient("no picture can be made for it", true);
 }
 
 bool RCServer::IsSendingPicture() const {

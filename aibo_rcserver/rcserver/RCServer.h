@@ -145,8 +145,8 @@ class RCServer : public OObject {
 
   Connection connections_[NUMBER_OF_CONNECTIONS];
   size_t endpoints_;         ///< number of endpoints created so far
-  Connection* client_;       ///< the client's connection; NULL if there is no client
-  Connection* newcomer_;     ///< a newcomer while there is a client; NULL if there is none
+  Connection* client_;       ///< the client's connection; NULL without a client
+  Connection* newcomer_;     ///< the newcomer that waits beside a client; NULL if none waits
   longword newcomer_since_;  ///< frame in which the newcomer came, or the client was asked
   bool has_asked_;           ///< the newcomer has sent a request, and the client was asked for a sign
   Body* body_;               ///< exists from DoInit to DoDestroy

@@ -48,7 +48,7 @@ std::string load(const LoadColorTable::Request& request, const robot_model::Robo
       "Channel " + std::to_string(request.channel) + " has " + (table ? "the table " + table->name : "no table");
   const aibo_client::ConnectionStatus status = client.status();
   if (status.state != aibo_client::ConnectionState::kConnected) {
-    return done + ". The robot is not connected, and gets it when it is.";
+    return done + ". The robot gets it as soon as it is connected.";
   }
   if (!status.robot.hasCapability("Z")) {
     throw ColorTableException("the robot's server detects no colours. It needs a newer RCServer; the table is kept.");

@@ -51,9 +51,10 @@ class GoalWalks {
     double turn = 0;      ///< rad
   };
 
+  /// A walk to a goal that was begun, or refused.
   struct Begun {
     movement::Mover::Answer answer;
-    std::shared_ptr<const Left> left;  ///< read it on the thread that steers
+    std::shared_ptr<const Left> left;  ///< null if the goal is refused. Read it on the thread that steers
   };
 
   /// Begins to walk to a goal. If it is refused, an earlier walk goes on.

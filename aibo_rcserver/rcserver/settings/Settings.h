@@ -62,9 +62,8 @@ struct Settings {
 /// its comment on a line of its own.
 void readSettings(const char* bytes, size_t size, Settings* settings);
 
-/// Reads RCSERVER.CFG from the memory stick. The console shows who may connect. Without the file,
-/// the defaults hold. A file that is unreadable or too long, or another file there whose name begins with RCSERVER,
-/// counts as a wrong line.
+/// Reads RCSERVER.CFG from the memory stick. The console shows who may connect. Without the file, the defaults hold. A
+/// file that is unreadable or too long, or another file there whose name begins with RCSERVER, counts as a wrong line.
 Settings readSettingsFile(const HostSettings& host);
 
 #endif  // AIBO_RCSERVER_RCSERVER_SETTINGS_SETTINGS_H

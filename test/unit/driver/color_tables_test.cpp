@@ -183,7 +183,7 @@ TEST_F(ColorTableServiceTest, SaysWhenTheRobotDoesNotHaveItYet) {
   client_.present.state = ConnectionState::kConnecting;
   const LoadColorTable::Response later = load(0, "pink_ball");
   EXPECT_TRUE(later.success);
-  EXPECT_THAT(later.message, HasSubstr("not connected, and gets it when it is"));
+  EXPECT_THAT(later.message, HasSubstr("gets it as soon as it is connected"));
   client_.present = {};
   client_.present.state = ConnectionState::kConnected;
   const LoadColorTable::Response response = load(0, "pink_ball");

@@ -2,8 +2,9 @@
 /// The names of the joints, sensors, LEDs and postures of the robots, such as "head_pan", "battery", "face_1" and
 /// "sit". Requests and telemetry have their RCServer identifiers instead; docs/protocol.md lists both.
 ///
-/// Most functions take the design of the robot (RobotInfo::design), because some identifiers mean different parts on
-/// different robots. If the design is empty, as for a version 1 server, the ERS-7 is searched first, then the ERS-210.
+/// The functions for parts take the design of the robot (RobotInfo::design), because some identifiers mean different
+/// parts on different robots. If the design is empty, as for a version 1 server, the ERS-7 is searched first, then the
+/// ERS-210.
 ///
 /// @code
 /// const int pan = aibo_client::idOfJoint("head_pan");
