@@ -45,8 +45,8 @@ using LogSink = std::function<void(LogLevel level, const std::string& message)>;
 /// robot.start();
 /// @endcode
 struct Callbacks {
-  /// A good picture, either of the stream or taken by takePicture(). The exception is a picture of takePicture() that
-  /// has another resolution than the running stream.
+  /// A good picture, either of the stream or taken by takePicture(). The exception is a picture of takePicture() whose
+  /// resolution differs from that of the running stream.
   std::function<void(const PicturePtr& picture)> on_picture;
   /// status() has changed.
   std::function<void(const ConnectionStatus& status)> on_status;

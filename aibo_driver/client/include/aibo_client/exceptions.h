@@ -66,7 +66,7 @@ class NetworkException : public Exception {
 };
 
 /// Thrown if no answer came in the allowed time. kind() is FaultKind::kNone if the time of this call has passed. It is
-/// FaultKind::kSilent if the whole connection was given up for its silence while the call waited.
+/// FaultKind::kSilent if the client gave up the connection while the call waited, because nothing came from the robot.
 class TimeoutException : public NetworkException {
  public:
   using NetworkException::NetworkException;

@@ -221,7 +221,7 @@ class RcServerClient {
   /// @throw TimeoutException the robot is connected, but no answer came in time. If wasSent(), the robot may still obey
   /// @throw CommandException the robot refused, or its server has no such request; the message says why, and what to do
   /// @throw StoppedException stop() was called
-  /// @throw Exception the function was called from a callback; begin... functions may be
+  /// @throw Exception the function was called from a callback; only the begin... functions may be called there
   /// @{
 
   /// Waits for a picture that was taken after this call.

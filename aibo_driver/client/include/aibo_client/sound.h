@@ -29,7 +29,7 @@ struct MicrophoneSettings {
   bool on = false;
   int channels = 2;                ///< 2: left and right; 1: the mean of both
   int samples_per_second = 16000;  ///< 8000 or 16000
-  /// Which sound or picture waits on a link that is too slow for both. true: pictures wait until all that was heard has
+  /// What waits on a link that is too slow for sound and pictures. true: pictures wait until all that was heard has
   /// been sent, and while less than half a second waits for the speaker. false: sound waits for each picture, and is
   /// left out if it comes too late. The choice also holds for playSamples(), even if `on` is false.
   bool before_pictures = false;

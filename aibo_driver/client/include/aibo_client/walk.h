@@ -39,8 +39,8 @@ enum class WalkState {
 
 /// How the robot walked when telemetry was measured.
 struct WalkReading {
-  /// The average velocity of the feet since the telemetry before, as commanded, after all limits. If no foot slips, its
-  /// sum over time is the way that the robot has gone.
+  /// The average velocity of the body since the previous telemetry, computed from the measured joints and pressed paws.
+  /// If no foot slips, its integral over time is the distance walked.
   WalkVelocity velocity;
   double phase = 0;  ///< the phase of the step, 0..1
   WalkState state = WalkState::kNone;
