@@ -34,7 +34,7 @@ class StreamAdapter {
   /// @param client must outlive the adapter
   StreamAdapter(aibo_client::RcServerClient& client, aibo_client::LogSink log);
 
-  /// Changes what the user wants, which takes effect at once. An unchanged wish does nothing.
+  /// Changes what the user wants, which takes effect at once. It does nothing if that has not changed.
   void setWish(const Wish& wish);
 
   /// Call this when a picture has been published. It may ask the client for another stream, which does not block.

@@ -19,8 +19,8 @@ class RobotFrames {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  /// The greatest age of a message from which the present frame is computed. Clocks drift by 0.3 % (docs/protocol.md),
-  /// and in this time that is less than a frame. This and kBetterOnly are our choice.
+  /// The greatest age of a message from which the present frame is computed. Even if the clocks drift by 0.3 %, that is
+  /// less than a frame in this time. This and kBetterOnly are our choice.
   static constexpr std::chrono::seconds kLongestAge{2};
   /// Any newer message replaces one of this age. A younger one is replaced only by one that was less late.
   static constexpr std::chrono::seconds kBetterOnly{1};

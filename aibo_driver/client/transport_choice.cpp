@@ -13,7 +13,7 @@ namespace version2 = protocol::version2;
 
 namespace {
 
-// Numbers that nobody can guess who cannot hear the connection.
+// Random numbers, so that only somebody who hears the connection knows them.
 DatagramIntake::Start randomStart() {
   std::random_device random;
   return {random(), random()};

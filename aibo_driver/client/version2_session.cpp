@@ -612,7 +612,7 @@ void Version2Session::onRefusal(const OpenRequest& refused, RefusalCause cause, 
     throw ProtocolException("it refused " + what + ": " + problem);
   }
   if (refused.is_for_double_resolution) {
-    lacks_double_resolution_ = true;  // a stream that is still wanted is requested without it
+    lacks_double_resolution_ = true;  // if the stream is still wanted, it is requested again at single resolution
     return connection_.context.warnOnce(
         "double resolution", "refused to stream pictures of double resolution; they have 208x160 pixels: " + problem);
   }

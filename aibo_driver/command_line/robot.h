@@ -39,7 +39,7 @@ struct RobotAddress {
 struct ArrivedPicture {
   aibo_client::PicturePtr picture;
   std::chrono::steady_clock::time_point time;
-  double age = 0;  ///< s, by which the picture is older than the freshest one; 0 if the age is not known
+  double age = 0;  ///< s, how much older the picture is than the freshest one; 0 if this is not known
 };
 
 /// The data that a robot has sent so far.
@@ -49,7 +49,7 @@ struct Received {
   std::map<int, aibo_client::JointReading> joints;    ///< the latest readings, by identifier
   std::map<int, double> sensors;                      ///< the latest values, by identifier
   std::map<int, double> accepted_joints;              ///< positions in rad, by the joint's identifier
-  std::optional<aibo_client::WalkVelocity> velocity;  ///< the walk's latest that is not 0, within the robot's limits
+  std::optional<aibo_client::WalkVelocity> velocity;  ///< the latest velocity of the walk that is not 0
   std::optional<std::string> refusal;                 ///< why an order that no call waits for was refused; the first
   std::optional<aibo_client::ActivityEnd> end;        ///< how the command's order has ended; empty before
   std::deque<ArrivedPicture> pictures;                ///< the newest kMostPictures that nobody has taken yet

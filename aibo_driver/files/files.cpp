@@ -38,7 +38,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostGzipAdds = 1024;  // bytes, with the name of the file; our choice
 
-/// Names this computer. Callers of a service may be at another computer than the driver.
+/// Names this computer. Callers of a service need not be at the driver's computer.
 std::string thisComputer() {
   std::array<char, 256> name{};
   return ::gethostname(name.data(), name.size() - 1) == 0 ? std::string("the computer ") + name.data()

@@ -83,7 +83,7 @@ void JointPlan::add(MovementId id, const TrajectoryRequest& request, const Arriv
   Job job{id, request, arrival, start, oldest, std::nullopt};
   for (const Job& other : jobs_) {
     if (other.run && other.start > now && job.sharesJointWith(other)) {
-      job.start = std::max(job.start, other.start);  // the other one is sent ahead, and knows no earlier position
+      job.start = std::max(job.start, other.start);  // the other one's positions are computed only from its start on
     }
   }
   // A request that could only be refused at its beginning is refused now.

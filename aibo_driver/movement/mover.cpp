@@ -328,7 +328,7 @@ void Mover::walk(const Order& order, const WalkVelocity& velocity, Movement move
     requireDesign(client_, table_.design());
     freeLegs(order.source + " lets the robot walk");
     if (record == nullptr) {
-      client_.steer({}, termsOf(order, 0));  // the node has let go, and the robot may wait for that
+      client_.steer({}, termsOf(order, 0));  // the node has let go, and the robot may be waiting for that
     }
     client_.steer(velocity, termsOf(order, number));
   } catch (const Exception& error) {
@@ -354,7 +354,7 @@ Mover::Answer Mover::walkToGoal(const Order& order, const std::string& goal) {
   return give(order, Kind::kWalk, goal, {}, act);
 }
 
-// The order counts as old as the previous call, because the pose that the velocity was computed from may be as old.
+// The order is taken to be as old as the previous call, because the pose behind its velocity may be as old.
 void Mover::steerToGoal(MovementId walk, const WalkVelocity& velocity) {
   change([&] {
     checkConnection();
@@ -610,7 +610,7 @@ void Mover::ended(const aibo_client::ActivityEnd& end) {
       return;
     }
     if (is_walk && (!is_steerings || record->steered)) {
-      record->orders = {end.order};  // velocities that were sent since then begin no new walk for this record
+      record->orders = {end.order};  // no end will come for its later velocities
     }
     book_.endOrder(record, end.order, how, end.reason);
   });
@@ -761,7 +761,7 @@ void Mover::freeLegs(const std::string& reason) {
   }
 }
 
-// The orders count as old as the previous call, because the joints may have moved elsewhere since.
+// The orders are taken to be as old as the previous call, because the joints may have moved elsewhere since.
 void Mover::sendSteps(SteadyTime now) {
   for (const JointStep& step : plan_.advance(now)) {
     const OrderNumber number = book_.nextNumber();

@@ -38,7 +38,7 @@ struct RobotConnection {
   QString robot;               ///< the robot's design, such as "ERS-7"; empty while unknown
   QString address;             ///< host:port; empty while unknown
   int protocol_version = 0;    ///< 0 while not connected
-  bool master_answers = true;  ///< without the ROS master, programs cannot find each other; those that have go on
+  bool master_answers = true;  ///< without the ROS master, programs cannot find each other
   QString text;                ///< all of this in one line, for people
 
   bool hasDriver() const { return state != State::kNoMaster && state != State::kNoDriver && state != State::kWaiting; }

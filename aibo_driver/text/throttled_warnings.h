@@ -16,9 +16,9 @@ namespace aibo_driver::text {
 /// make another one each time. Neither may flood the log or hide other warnings. Any thread may use it. The log may
 /// take its time, so never call it while a lock is held.
 ///
-/// A warning is logged at most once per kRepetitionPeriod. Two warnings that differ only in numbers are the same;
-/// numbers within names count. Of all warnings together, kBurst may be logged at once, and in the long run one per
-/// kPeriod. The next warning says how many were left out. Texts are cut at kLongest bytes and shown by plainLine().
+/// A warning is logged at most once per kRepetitionPeriod. Two warnings that differ only in numbers count as the same,
+/// unless the number is part of a name. Of all warnings together, kBurst may be logged at once, and in the long run one
+/// per kPeriod. The next warning says how many were left out. Texts are cut at kLongest bytes and shown by plainLine().
 class ThrottledWarnings {
  public:
   static constexpr std::chrono::seconds kRepetitionPeriod{5};

@@ -72,7 +72,8 @@ bool hasChanged(const rosbag::ConnectionInfo& recorded) {
          recorded.md5sum != ros::message_traits::MD5Sum<Message>::value();
 }
 
-/// True for messages of the driver's that another version defines. Subscribers cannot receive them.
+/// True for the driver's messages whose definition was another one when they were recorded. Subscribers cannot receive
+/// them.
 bool isOfAnotherVersion(const rosbag::ConnectionInfo& recorded) {
   using namespace aibo_driver;  // NOLINT(google-build-using-namespace): its messages
   return hasChanged<CameraState>(recorded) || hasChanged<ColorRegions>(recorded) || hasChanged<Connection>(recorded) ||
@@ -156,7 +157,7 @@ class Playback {
       } else if (state_ == State::kEnded) {
         ros::requestShutdown();
       }
-    } catch (const std::runtime_error& error) {  // from rosbag, too short messages or impossible times
+    } catch (const std::runtime_error& error) {  // rosbag: a message is cut off, or a time is impossible
       ROS_FATAL_STREAM(recording_.name() << " is damaged at " << position() << ": " << error.what()
                                          << ". What follows is lost.");
       failed_ = true;

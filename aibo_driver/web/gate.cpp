@@ -26,7 +26,8 @@ boost::asio::ip::address parsed(const std::string& address) {
   return result;
 }
 
-// It takes as long for every text of the right length, so that nobody can find the secret letter by letter.
+// The time that it takes is the same for every text of the right length, so that nobody can find the secret letter by
+// letter.
 bool isSecret(const std::string& secret, const std::string& text) {
   volatile int difference = text.size() == secret.size() ? 0 : 1;
   for (std::size_t i = 0; i < std::min(secret.size(), text.size()); ++i) {

@@ -43,7 +43,7 @@ class Gate {
  private:
   bool mayEnter(const Knock& knock) const;
 
-  std::vector<std::string> hosts_;  ///< by these the page may be called
+  std::vector<std::string> hosts_;  ///< the hosts under which a browser may ask for the page
   std::string code_;                ///< empty if everybody on this computer may enter
   std::string cookie_;
 };

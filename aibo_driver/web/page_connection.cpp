@@ -13,7 +13,7 @@ namespace websocket = boost::beast::websocket;
 using boost::asio::ip::tcp;
 
 constexpr std::chrono::seconds kTimeForRequest{5};
-constexpr std::chrono::seconds kSilence{10};  // pings keep a page that lives from being silent
+constexpr std::chrono::seconds kSilence{10};  // a page that is alive answers pings
 constexpr std::uint32_t kMostBytesOfHeader = 8192;
 constexpr std::size_t kMostFrames = 32;
 

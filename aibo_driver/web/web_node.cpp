@@ -33,7 +33,7 @@ using std::chrono::steady_clock;
 
 constexpr std::size_t kMostBytes = 256 * 1024;  // no message of a driver has more
 
-// Its thread does with the messages what `use` says, unless they are too long.
+// Subscribes to a topic. The context's thread passes each message to `use`, unless the message is too long.
 template <typename Message, typename Use>
 ros::Subscriber subscribe(ros::NodeHandle& handle, const std::string& topic, boost::asio::io_context& context,
                           const Use& use) {
@@ -78,7 +78,7 @@ WebNode::WebNode(const ros::NodeHandle& handle, const ros::NodeHandle& parameter
       velocity_(handle_.advertise<geometry_msgs::Twist>("cmd_vel", 1)),
       joints_(handle_.advertise<sensor_msgs::JointState>("joint_command", 1)),
       stop_(handle_) {
-  // Not by the log: everybody who reaches the ROS master can read /rosout.
+  // This is printed, not logged, because everybody who reaches the ROS master can read /rosout.
   std::printf("The robot's page is at %s\n", server_.link().c_str());
   std::fflush(stdout);
   show<Connection>("connection");
@@ -119,7 +119,7 @@ void WebNode::showClock() {
   server_.show("clock", pageText("clock", std::to_string(milliseconds(steady_clock::now()))));
 }
 
-// A page also sees by this that the connection lives.
+// This also shows each page that its connection is alive.
 void WebNode::keepTime() {
   showClock();
   second_.expires_after(std::chrono::seconds(1));

@@ -10,7 +10,7 @@
 #include "protocol/file_list.h"
 #include "protocol/text.h"
 
-/// Reads, stores, deletes and lists motions and pictures, without a look at their content.
+/// Reads, stores, deletes and lists motions and pictures, without looking at their content.
 ///
 /// A name cannot lead out of the folder (text.h). Some file systems distinguish upper and lower case, and the memory
 /// stick does not, so a search ignores case. A file is first written under another name, so that a file with its own

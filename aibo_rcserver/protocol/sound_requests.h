@@ -100,7 +100,7 @@ struct PlayedSound {
 /// The most samples that can wait on the robot, 1.02 s. A request with more than there is room for is refused.
 const unsigned SPEAKER_CAPACITY = 16384;
 
-/// How long no sample may come before a sound ends (END_REFUSED).
+/// A sound ends (END_REFUSED) when no sample has come for this long.
 const unsigned SPEAKER_TIMEOUT_MS = 2000;
 
 /// Payload of the reply to `A` 2. While the sound plays, 16000 more may follow each second.

@@ -486,7 +486,8 @@ enum {
 /// How near a joint of a `J` has to be to its target to have arrived, in microradian: 0.05 rad. Our choice.
 const int ARRIVED = 50000;
 
-/// Frames (2 s) that such a joint has to arrive, from 12 frames after its planned way (docs/protocol.md). Our choice.
+/// The time that such a joint gets to arrive, in frames (2 s). It begins 12 frames after the end of the joint's planned
+/// movement (docs/protocol.md). Our choice.
 const unsigned ARRIVAL_FRAMES = 250;
 
 /// The longest texts, in bytes. A longer text is cut after a whole character.

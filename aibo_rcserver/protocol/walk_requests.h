@@ -93,8 +93,8 @@ inline const char* postureName(Posture posture) {
 /// The name in a pushed `i` (ENDED_WALK).
 const char WALK_NAME[] = "walk";
 
-/// Identifiers in GROUP_WALK. The velocities are those of the feet on the floor, as commanded, after all limits, on
-/// average since the previous telemetry. Their sum over time is the distance walked.
+/// Identifiers in GROUP_WALK. The velocities are averages since the previous telemetry, computed from the measured
+/// joints and pressed paws. If no foot slips, their integral over time is the distance walked.
 enum WalkValue {
   WALK_FORWARD = 1,  ///< micrometre/s
   WALK_LEFT = 2,     ///< micrometre/s

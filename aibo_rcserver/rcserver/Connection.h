@@ -133,7 +133,7 @@ class Connection {
     longword last_bytes;  ///< frame in which bytes last came
     longword last_given;  ///< frame in which the IPStack was last given something to send
     longword last_sent;   ///< frame in which it last accepted something
-    longword last_taken;  ///< frame in which it last accepted something that it was given in an earlier one
+    longword last_taken;  ///< frame in which it last accepted something that it had been given earlier
     unsigned address;
     char name[sizeof("255.255.255.255:65535")];
   };

@@ -224,7 +224,7 @@ class Program:
                 unknown.append(f"{start + 4 * index:#x}")
             elif word >> 16 == 0x27bd and word & 0x8000:  # addiu sp,sp,-N
                 frame = max(frame, -_signed(word) if -_signed(word) not in UNBUFFERED_PRINTF else 0)
-        yield from _some(wrong_gp, f"functions compute another gp than {gp:#x}, so they would not find their data")
+        yield from _some(wrong_gp, f"functions compute a gp other than {gp:#x}, so they would not find their data")
         yield from _some(absolute, "code uses addresses that the loader does not adapt")
         yield from _some(unknown, "code has instructions of newer processors than the robot's")
         if set_gp == 0:
@@ -275,7 +275,7 @@ class Program:
                 if kind == "R_MIPS_32" and relocation["r_offset"] + 4 > section["sh_size"]:
                     outside.append(f"{relocation['r_offset']:#x} of {section.name}")
         yield from _some(sorted(unknown), "it was linked from relocations that gensnap does not know")
-        yield from _some(absolute, "R_MIPS_HI16 belongs to another symbol than _gp_disp")
+        yield from _some(absolute, "R_MIPS_HI16 belongs to a symbol other than _gp_disp")
         yield from _some(outside, "relocations are outside of their section")
 
     def _bytes(self, name):

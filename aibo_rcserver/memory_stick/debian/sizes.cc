@@ -1,6 +1,6 @@
-/// @file sizes.cc
-/// Stops the build if a class shared with OPEN-R's libraries, which GCC 3.3 built, has another size. The sizes were
-/// compared for both compilers; those of OSubject and OObserver depend on this project's std::list.
+/// @file sizes.cc Stops the build if a class that is shared with OPEN-R's libraries has a different size there. GCC 3.3
+/// built them. The sizes were compared for both compilers; those of OSubject and OObserver depend on this project's
+/// std::list.
 #include <EndpointTypes.h>
 #include <IPAddress.h>
 #include <OPENR/ODataFormats.h>

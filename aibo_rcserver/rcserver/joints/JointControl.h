@@ -112,7 +112,7 @@ class JointControl {
   bool TakeRecovery(int joint);
 
   /// Resets everything for the next client: motions end, all joints stop and hold, limits are the robot's own, faults
-  /// are forgotten. A walk ends in the stand. A robot that is lying down to rest continues.
+  /// are forgotten. A robot that walks goes on until it stands, and one that is lying down to rest continues.
   void ClientGone();
 
  private:

@@ -24,7 +24,7 @@ class Exchange {
   /// The OPEN-R frame of the last Begin().
   unsigned Now() const { return now_; }
 
-  /// Gives the answer another id than the request's.
+  /// Gives the answer an id of its own, in place of the request's.
   void AnswerWithId(unsigned char id) { request_.id = id; }
 
   // Checks. If they return false, they have refused the request.

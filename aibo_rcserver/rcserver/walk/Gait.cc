@@ -11,14 +11,14 @@ namespace {
 
 const double WHOLE_TURN = 2 * 3.14159265358979323846;
 
-// By how many times sideways and turning velocities count more while the legs move in waves. Found with the bench.
+// While the legs move in waves, sideways and turning velocities count this many times more. Found with the bench.
 const double OTHERS_IN_WAVES = 2;
 
 // m/s; the range of speeds in which the limits of the trot give way to those of the waves. Our choice.
 const double NARROWING = 0.05;
 
-// In s: how much more the feet lag behind the body's way to the side than behind its way ahead. In m: how far ahead of
-// the shoulders' middle the way to the side counts. Found with the bench: the robot leans the least.
+// In s: how much more the feet lag when the body moves to the side than when it moves ahead. In m: how far ahead of the
+// middle of the shoulders the movement to the side is measured. Found with the bench: the robot leans the least.
 const double LAG_ASIDE = 0.09;
 const double TURNS_AHEAD = 0.025;
 

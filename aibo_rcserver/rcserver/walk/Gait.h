@@ -72,15 +72,15 @@ struct GaitParameters {
   protocol::version2::WalkLimits highest;
   double fastest;  ///< m/s; the highest velocity forward with little turning: see Gait::Limited()
 
-  /// The same velocities for the legs, which have to walk faster than told where they fall short of their commands.
+  /// The same velocities for the legs. They may be higher, because the robot walks slower than its legs are commanded.
   protocol::version2::WalkLimits highest_of_legs;
   double fastest_of_legs;  ///< m/s; `fastest` for the legs
 };
 
-/// A trot: diagonal legs move together, half a period after the two others. A foot on the floor moves with the floor,
-/// on a straight line around its middle; in the air, it goes back to the other end of that line, and touches down with
-/// the speed of the floor. Knees are too slow for a trot at more than 200 mm/s. So above 160 mm/s, the angles of the
-/// joints come nearer and nearer to waves that repeat in each step. The waves bend the hind knees and raise the nose.
+/// A trot: diagonal legs move together, half a period after the other two. A foot on the floor moves with the floor, on
+/// a straight line around its middle; in the air, it goes back to the other end of that line, and touches down with the
+/// speed of the floor. Knees are too slow for a trot at more than 200 mm/s. So above 160 mm/s, the angles of the joints
+/// come nearer and nearer to waves that repeat in each step. The waves bend the hind knees and raise the nose.
 ///
 /// A robot that leans more than it should tips over its diagonal pairs of feet: a swinging foot hits the floor early,
 /// and the robot rocks. To prevent this, the feet can be placed nearer to the side to which the robot leans.
@@ -107,7 +107,8 @@ class Gait {
     return Narrowed(wanted, wanted.forward, parameters_.highest, parameters_.fastest);
   }
 
-  /// The highest velocity for the legs, which have to walk faster than told where they fall short of their commands.
+  /// The highest velocity for the legs. It may be higher than Limited(), because the robot walks slower than its legs
+  /// are commanded.
   /// @param told the forward velocity that the robot was told
   protocol::version2::Velocity LimitedForLegs(const protocol::version2::Velocity& wanted, double told) const {
     return Narrowed(wanted, told, parameters_.highest_of_legs, parameters_.fastest_of_legs);

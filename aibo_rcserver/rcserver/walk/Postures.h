@@ -61,7 +61,7 @@ class Postures {
   /// @param attempt 0, 1, 2, ...: from its back, the robot tips to one side, then to the other
   static int FindRouteToBelly(FallWatch::Verdict verdict, int attempt, Stage* route);
 
-  /// True if the feet are below the body and near their places in the stand, so that the robot can stand up at once.
+  /// True if the feet are below the body and near their places in a standing robot, so that it can stand up at once.
   bool Stands(const robot_model::LegAngles* here) const;
 
   /// True if the feet are near their places in this posture.

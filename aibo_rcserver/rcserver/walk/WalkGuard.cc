@@ -53,19 +53,20 @@ const double LONGEST_STEP = 0.04;
 const double MOST_OFF_GROUND = 0.04;
 const double NEAREST_TO_EDGE = 0.05;
 
-// After how long a way, or how far a turn, a new pose is remembered.
+// A new pose is remembered after the robot has walked this far, or turned by this much.
 const double WAY_BETWEEN_POSES = 0.02;
 const double TURN_BETWEEN_POSES = 0.5;
 const double WAY_BETWEEN_EDGES = 0.02;
 
-// A robot that walks more to the side than this part of ahead walks where no sensor looks.
+// If the sideways part of a velocity is more than this share of its forward part, no sensor looks where the robot
+// walks.
 const double MOST_SIDEWAYS = 0.2;
 
-// How many seconds after its foot is commanded to be there a paw touches the floor.
+// When a paw touches the floor: the first and the last time, in seconds after its foot is commanded to be there.
 const double FIRST_TOUCH = 0.10;
 const double LAST_TOUCH = 0.13;
 
-// After how many steps in a row with the floor under it a paw is believed.
+// A paw is believed when it has had the floor under it in this many steps in a row.
 const int STEPS_TO_BELIEVE = 4;
 
 const int NO_PAW = -1;

@@ -106,7 +106,7 @@ class WalkGuard {
   void AddEdge(const Place& place);
 
   const Gait& gait_;
-  Place front_corner_;  ///< where the left front foot steps at most, from the middle of the shoulders
+  Place front_corner_;  ///< the farthest place of the left front foot, from the middle of the shoulders
   Place hind_corner_;
   Pose pose_;
   Queue<Pose, MOST_POSES> poses_;

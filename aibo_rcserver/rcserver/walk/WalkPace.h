@@ -16,7 +16,7 @@ class WalkPace {
  public:
   explicit WalkPace(const Gait& gait) : gait_(gait), now_() {}
 
-  /// Begins a walk, in the stand.
+  /// Begins a walk. The robot must be standing.
   void Begin() { now_ = State(); }
 
   /// Finds the angles of the legs for the next frame.

@@ -365,7 +365,7 @@ bool Walker::HaveArrived() {
   return legs_.HaveArrived() && route_.frames_to_settle-- <= 0;
 }
 
-// Makes the walk end in the stand. If it is ending already, the first reason stays.
+// Ends the walk as soon as the robot stands. If the walk is ending already, the first reason stays.
 void Walker::EndWalkInStand(const EndReason& reason) {
   if (IsWalk() && !walk_.ends) {
     walk_.ends = true;

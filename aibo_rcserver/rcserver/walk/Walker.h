@@ -19,11 +19,11 @@
 /// two at a time. It does not move head, tail and mouth, except that it levels the head while the robot lies down to
 /// rest or gets up.
 ///
-/// A walk begins and ends in the stand. From any other posture, the robot first rises slowly. A walk that is not
-/// steered for STEERING_TIMEOUT_MS ends.
+/// When a walk begins and when it ends, the robot stands. From any other posture, it first rises slowly. A walk that is
+/// not steered for STEERING_TIMEOUT_MS ends.
 ///
-/// A robot that lies on a side or its back can take no posture but the stand: it rolls onto its belly first. If a joint
-/// cannot follow on the route to a posture, the joint yields, and the robot tries another route.
+/// A robot that lies on a side or its back can only stand up: it rolls onto its belly first. If a joint cannot follow
+/// on the route to a posture, the joint yields, and the robot tries another route.
 ///
 /// The planner enforces all limits, as for motions and commands.
 class Walker {
@@ -76,8 +76,8 @@ class Walker {
   /// The number of the request that began the walk; 0 without a walk, or if the walk ends for a posture.
   unsigned short WalkNumber() const { return IsWalk() && !HasNext() ? orders_.Number(order_) : 0; }
 
-  /// Takes a posture. The order to walk ends at once, but the legs first walk to the stand. Call it only if there is no
-  /// Problem() with it.
+  /// Takes a posture. The order to walk ends at once, but the robot first walks until it stands. Call it only if there
+  /// is no Problem() with it.
   /// @param number of the request of version 2, otherwise 0
   void Take(protocol::version2::Posture posture, unsigned short number = 0);
 
@@ -87,8 +87,8 @@ class Walker {
   /// Does the same when the motors are being switched off. A robot that has lain down to rest has then finished.
   void MotorsGoOff(const EndReason& reason);
 
-  /// Call this when the client is gone. A walk ends in the stand, and a posture ends at once. Lying down to rest
-  /// continues, because a robot that stays half crouched with its motors on gets hot.
+  /// Call this when the client is gone. A walk goes on until the robot stands, and a posture ends at once. Lying down
+  /// to rest continues, because a robot that stays half crouched with its motors on gets hot.
   void ClientGone();
 
   bool Moves(int joint) const { return legs_.Has(joint); }
@@ -174,7 +174,7 @@ class Walker {
   /// The walk that goes on, or the last one.
   struct Steering {
     bool is_guarded;
-    bool ends;  ///< the walk ends in the stand, for end_reason
+    bool ends;  ///< the walk ends when the robot stands, for end_reason
     EndReason end_reason;
     protocol::version2::Posture next;  ///< the posture that follows the walk, and is the order; POSTURE_UNKNOWN if none
     protocol::version2::Velocity wanted;

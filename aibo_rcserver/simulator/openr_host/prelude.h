@@ -1,6 +1,5 @@
-/// @file prelude.h
-/// What Sony's headers and newlib bring along, so that objects of others rely on it. object.mk includes it before
-/// everything else; RCServer and the project's other objects do without.
+/// @file prelude.h What Sony's headers and newlib bring along, and other people's objects therefore rely on. object.mk
+/// includes it before everything else; RCServer and the project's other objects do without.
 #ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_PRELUDE_H
 #define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_PRELUDE_H
 

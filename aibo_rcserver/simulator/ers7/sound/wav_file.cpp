@@ -68,7 +68,7 @@ std::vector<OSoundSampleStereo16> readWav(const std::string& path) {
   const auto format = valueAt<Format>(format_chunk, 0);
   const bool is_pcm = format.encoding == kPcm || format.encoding == kExtensible;
   if (!is_pcm || format.bits != 16 || format.rate != kRate || format.channels < 1 || format.channels > 2) {
-    throw SoundError(path + ": has another format than 16 kHz, 16 bits, one or two channels; convert it: sox " + path +
+    throw SoundError(path + ": is not in the format 16 kHz, 16 bits, one or two channels; convert it: sox " + path +
                      " -r 16000 -b 16 -c 1 OTHER.wav");
   }
   const std::string data = chunk(bytes, "data");

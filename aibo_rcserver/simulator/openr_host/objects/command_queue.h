@@ -19,8 +19,8 @@ namespace openr_host {
 /// free (RCRegion::NumberOfReference()) changes the movement.
 class CommandQueue {
  public:
-  /// Checks a vector, and keeps a reference to its region until its last frame is output. An entry of another type than
-  /// its primitive takes is ignored and logged once; Sony's own player of motions sends such entries.
+  /// Checks a vector, and keeps a reference to its region until its last frame is output. An entry of a type that its
+  /// primitive does not take is ignored, and logged once; Sony's own player of motions sends such entries.
   /// @throw std::invalid_argument the vector is malformed; the text says why
   void add(RCRegion& region, const VirtualRobot& robot);
 

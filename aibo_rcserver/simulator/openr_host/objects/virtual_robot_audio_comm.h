@@ -20,7 +20,7 @@ namespace openr_host {
 /// The system object OVirtualRobotAudioComm: the gates to microphones and speaker (Level2 Reference Guide, pages 44, 62
 /// and 63).
 ///
-/// Microphone vectors last 16 ms, as Sony's sample SoundRec says of the ERS-7; the guide says 32 ms of all robots. If
+/// Microphone vectors last 16 ms, as Sony's sample SoundRec says of the ERS-7; the guide says 32 ms for all robots. If
 /// the host has delayed the process, several vectors come in one notification, so that no sound is lost.
 ///
 /// The speaker plays vectors one after the other, each from the frame after it came, and asserts READY when a vector
