@@ -132,7 +132,7 @@ void TelemetryIntake::dropImpossible(Telemetry* telemetry, const std::string& de
     const WalkVelocity& walk = telemetry->walk->velocity;
     if (!isPossible(walk.forward, kPossibleWalks, [] { return "the velocity of the walk forward"; }) ||
         !isPossible(walk.left, kPossibleWalks, [] { return "the velocity of the walk to the left"; }) ||
-        !isPossible(walk.turn, kPossibleTurns, [] { return "the velocity of the walk around itself"; })) {
+        !isPossible(walk.turn, kPossibleTurns, [] { return "the turning velocity of the walk"; })) {
       telemetry->walk.reset();
     }
   }

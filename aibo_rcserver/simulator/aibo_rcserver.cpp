@@ -76,7 +76,7 @@ po::options_description describe(Options& options) {
     ("console-port", po::value(&options.console_port)->default_value(openr_host::kConsolePort),
      "port of the wireless console, for telnet; 0 means any free one")
     ("map-port", po::value(&options.mapped_ports)->composing(),
-     "for other objects than RCServer: ROBOT=COMPUTER, a port of the robot and this computer's for it, such as 7=7007; "
+     "for objects other than RCServer: ROBOT=COMPUTER, a port of the robot and the one of this computer, such as 7=7007; "
      "may be repeated")
     ("no-console", po::bool_switch(&options.no_console), "disable the wireless console")
     ("protocol-version", po::value(&options.protocol_version)->default_value(protocol::version2::VERSION),
@@ -92,7 +92,7 @@ po::options_description describe(Options& options) {
     ("battery-minutes", po::value(&options.robot.battery_minutes)->default_value(90),
      "how long a full battery lasts, 0.01 to 100000")
     ("microphone", po::value(&options.microphone),
-     "WAV file, 16 kHz with 16 bits, that the microphones hear once, from when a client listens or plays a sound")
+     "WAV file, 16 kHz with 16 bits, that the microphones hear once, beginning when a client listens or plays a sound")
     ("speaker", po::value(&options.robot.speaker_file),
      "WAV file or pipe that gets what the robot's speaker plays; in bash, >(aplay -q) plays it on this computer")
     ("hears-itself", po::value(&options.robot.hears_itself)->default_value(0),
@@ -187,7 +187,7 @@ openr_host::MachineOptions machineOptions(const Options& options, const simulate
   machine.ports.clear();
   for (const std::string& ports : options.mapped_ports) {
     if (!machine.ports.insert(readPorts(ports)).second) {
-      throw po::error("option '--map-port' takes each port of the robot once, not again '" + ports + "'");
+      throw po::error("option '--map-port' names a port of the robot twice: '" + ports + "'");
     }
   }
   if (runsRCServer(options.memory_stick, robot.design())) {
@@ -229,7 +229,7 @@ void stopMachine(int) {
 }
 
 void giveUp(int) {
-  constexpr char kText[] = "aibo_rcserver: an object does not return, so the robot cannot stop in order\n";
+  constexpr char kText[] = "aibo_rcserver: an object does not return, so the robot cannot stop in an orderly way\n";
   [[maybe_unused]] const auto written = write(STDERR_FILENO, kText, sizeof(kText) - 1);
   _exit(EXIT_FAILURE);
 }

@@ -115,10 +115,11 @@ class Program:
         if flags & ~0x3 == 0x0004:  # some compilers leave the ABI out
             self.unusual.append(f"its flags are {flags:#x}, which do not name the ABI")
         elif flags & ~0x3 != 0x1004:  # except for noreorder and PIC: o32, MIPS I, CPIC
-            yield (f"its flags are {flags:#x}; the loader is known to accept 0x1005: MIPS I, the ABI o32, and code that "
-                   "finds its data by gp (CPIC)")
+            yield (f"its flags are {flags:#x}; the loader is known to accept 0x1005: MIPS I, the ABI o32, and code "
+                   "that finds its data by gp (CPIC)")
         loaded = [segment for segment in self._elf.iter_segments() if segment["p_type"] == "PT_LOAD"]
-        segments = [(segment["p_offset"] if segment["p_vaddr"] == 0 else None, segment["p_vaddr"]) for segment in loaded]
+        segments = [(segment["p_offset"] if segment["p_vaddr"] == 0 else None, segment["p_vaddr"])
+                    for segment in loaded]
         if segments != [(0, 0), (None, TABLES_AT)]:
             raise Broken(f"it must have two segments, one for the program at 0 and one for the header at "
                          f"{TABLES_AT:#x}")
@@ -255,7 +256,7 @@ class Program:
                 yield (f"{section.name} is at {section['sh_addr']:#x}, {other['sh_addr'] - section['sh_addr']:#x} and "
                        f"not {LINKED_AT:#x} below its place in the linked program")
             elif section["sh_type"] == "SHT_PROGBITS" and section.data() != other.data():
-                yield f"{section.name} has other contents than in the linked program"
+                yield f"{section.name} differs from that of the linked program"
 
     def _kinds_of_relocations(self):
         elf = ELFFile(io.BytesIO(self._relocations))

@@ -29,7 +29,7 @@ def has_marks(path):
 
 
 def settings_problems(stick):
-    """Yields a Problem for each fault that the robot would find in RCSERVER.CFG, and in the names beside it."""
+    """Yields a Problem for each fault that the robot would find in RCSERVER.CFG, or in the names of files beside it."""
     newest = max(path.stat().st_mtime for folder in READER_FOLDERS for path in (SOURCES / folder).iterdir())
     if not READER.is_file() or READER.stat().st_mtime < newest:
         _build_reader()

@@ -236,10 +236,10 @@ std::vector<Command> cameraCommands() {
       {"watch",
        "",
        "streams pictures and shows the link's quality once a second",
-       "It ends at Ctrl-C, or after --seconds. The age of a picture counts from the camera's image, beyond the "
-       "shortest time that any picture took; loss is the share of the camera's images that did not come. A server of "
-       "version 1 reports neither. After a lost connection, it connects again. With --json, each second is a document "
-       "in a line of "
+       "It ends at Ctrl-C, or after --seconds. The age of a picture is the time since the camera's image, "
+       "minus the shortest time that any picture took; loss is the share of the camera's images that did not come. A "
+       "server of version 1 reports neither. After a lost connection, it connects again. With --json, each second is a "
+       "document in a line of "
        "its own.",
        {{"watch", "pictures a second, data rate, age, loss"},
         {"watch --play | ffplay -f mjpeg -i -", "shows the stream; or: | mpv -"},

@@ -160,7 +160,7 @@ TEST(AiboRCServer, RefusesBadOptionsAndNamesThem) {
               refusal("option '--map-port' takes two ports such as 7=7007, not '" + std::string(ports) + "'"));
   }
   EXPECT_EQ(endOf(command({"--map-port", "7=7007", "--map-port", "7=7008"})),
-            refusal("option '--map-port' takes each port of the robot once, not again '7=7008'"));
+            refusal("option '--map-port' names a port of the robot twice: '7=7008'"));
   EXPECT_EQ(endOf(command({"--no-such-option"})), refusal("unrecognised option '--no-such-option'"));
   EXPECT_EQ(endOf(command({}, "65537")), refusal("option '--port' must be 0 to 65535, not 65537"));
 }
