@@ -195,7 +195,7 @@ int coupledLowest(const Coupling& coupling, int leader_position);
 /// @param posture a position for each joint, in the order of RobotModel::joints
 int lowestPosition(const RobotModel& model, int joint, const int* posture);
 
-/// Makes a posture allowed with as little change as possible. First it moves every joint into its limits, then
+/// Changes a posture as little as possible, so that it is allowed. First it moves every joint into its limits, then
 /// followers up, out of their leaders' way.
 /// @param[in,out] posture a position for each joint, in the order of RobotModel::joints; any values
 void clampPosture(const RobotModel& model, int* posture);

@@ -96,7 +96,7 @@ po::options_description describe(Options& options) {
     ("speaker", po::value(&options.robot.speaker_file),
      "WAV file or pipe that gets what the robot's speaker plays; in bash, >(aplay -q) plays it on this computer")
     ("hears-itself", po::value(&options.robot.hears_itself)->default_value(0),
-     "how much of what the speaker plays comes to the microphones, 0 to 1")
+     "how much of what the speaker plays reaches the microphones, 0 to 1")
     ("encode-time", po::value(&options.encode_time)->default_value(0),
      "milliseconds for the robot to compress a picture: 9 to 14 by instruction count, 32 to 64 in the report of 2006")
     ("stick-time", po::value(&options.stick_time)->default_value(0),

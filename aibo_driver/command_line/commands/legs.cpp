@@ -151,7 +151,7 @@ std::vector<Command> legCommands() {
                      "The robot stands."),
       postureCommand("sit", Posture::kSit, "sits down", "The robot switches its motors on first.", "The robot sits."),
       postureCommand("rest", Posture::kRest, "lies down and switches the motors off",
-                     "The motors are off when the robot lies.", "The robot lies, and its motors are off.")};
+                     "When the robot lies, it switches its motors off.", "The robot lies, and its motors are off.")};
 }
 
 }  // namespace aibo_driver::command_line

@@ -328,7 +328,7 @@ Settings readSettingsFile(const HostSettings& host) {
         (osyslogERROR, "RCServer: %s cannot be read, or has more than 64 KB, so nothing is allowed", SETTINGS_FILE));
   } else if (file == NULL) {
     OSYSPRINT(
-        ("RCServer: no %s on the memory stick: upload, delete, pictures on it, listening, shutting down and "
+        ("RCServer: no %s on the memory stick: uploading, deleting, storing pictures, listening, shutting down and "
          "rebooting are not allowed\n",
          SETTINGS_FILE));
   }
