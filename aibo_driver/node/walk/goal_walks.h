@@ -28,7 +28,7 @@ class GoalWalks {
   /// The time between two calls of advance().
   static constexpr std::chrono::milliseconds kPeriod{100};
 
-  /// The farthest goal that is not refused. On a longer way, odometry would lose its way.
+  /// The farthest goal that is not refused. Over a longer way, the errors of the odometry would be too large.
   static constexpr double kFarthest = 20;  ///< m
 
   /// How long a walk may come no closer to its goal before it is stopped.

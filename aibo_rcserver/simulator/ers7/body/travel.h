@@ -99,7 +99,7 @@ class Travel {
   void feelAcceleration(const Eigen::Vector3d& before);
 
   std::array<LegAngles, kLegs> legs_;
-  Supports supports_;            ///< in the body's frame; a support beyond an edge is out of the floor's reach
+  Supports supports_;            ///< in the body's frame; a support beyond an edge is moved away from the floor
   double ground_;                ///< height of what the robot stands on, in metres
   bool is_beyond_edge_ = false;  ///< a support is beyond an edge
   bool has_fallen_off_ = false;

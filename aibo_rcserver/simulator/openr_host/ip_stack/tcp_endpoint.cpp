@@ -249,7 +249,8 @@ void TcpEndpoint::addTo(PollSet& poll_set) {
   }
   const bool reads = receiving_ || (closing_ && !other_side_closed_);
   if (!sending_ && !reads) {
-    // Nothing is waited for: no request is unanswered, and a broken connection would wake the poll again and again.
+    // There is nothing to wait for: no request is unanswered, and a broken connection would wake the poll again and
+    // again.
     return;
   }
   const int events = (reads ? POLLIN : 0) | (sending_ ? POLLOUT : 0);
