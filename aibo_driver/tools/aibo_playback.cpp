@@ -1,7 +1,8 @@
-// Plays a recording as if the driver ran now: messages get the stamps of now, and the driver's part of tf is made
-// again. So a recording can be repeated, and rviz shows it like a robot. The topic `connection` says that this is a
-// recording, and where it is. Nothing that a robot obeys is published, and all topics, even tf and diagnostics, are in
-// the namespace of the playback. So a robot that runs at the same time neither moves nor looks like the recorded one.
+// Plays a recording as if the driver ran now: messages are stamped with the present time, and the driver's part of tf
+// is made again. So a recording can be repeated, and rviz shows it like a robot. The topic `connection` says that this
+// is a recording, and where it is. Nothing that a robot obeys is published, and all topics, even tf and diagnostics,
+// are in the namespace of the playback. So a robot that runs at the same time neither moves nor looks like the recorded
+// one.
 
 #include <aibo_driver/CameraState.h>
 #include <aibo_driver/ColorRegions.h>

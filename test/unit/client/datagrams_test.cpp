@@ -158,7 +158,7 @@ TEST_F(DatagramsTest, NonsenseIsCountedLoggedOnceAndDoesNoHarm) {
       {"cut", Bytes(picture[0].begin(), picture[0].end() - 1)},
       {"a datagram of the far future", changed(picture[0], 4, 0x7f)},
       {"a picture of the far future", changed(picture[0], 8, 1)},
-      {"a part of another frame than those before", changed(picture[1], 23, 1)},
+      {"a part of a different frame from those before", changed(picture[1], 23, 1)},
   };
   arrive(picture[0]);
   for (const auto& [name, datagram] : rows) {
