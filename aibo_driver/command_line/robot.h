@@ -50,7 +50,7 @@ struct Received {
   std::map<int, double> sensors;                      ///< the latest values, by identifier
   std::map<int, double> accepted_joints;              ///< positions in rad, by the joint's identifier
   std::optional<aibo_client::WalkVelocity> velocity;  ///< the latest velocity of the walk that is not 0
-  std::optional<std::string> refusal;                 ///< why an order that no call waits for was refused; the first
+  std::optional<std::string> refusal;                 ///< why an order without a waiting call was refused
   std::optional<aibo_client::ActivityEnd> end;        ///< how the command's order has ended; empty before
   std::deque<ArrivedPicture> pictures;                ///< the newest kMostPictures that nobody has taken yet
   std::deque<aibo_client::HeardSound> sounds;         ///< the newest kMostSounds that nobody has taken yet

@@ -106,8 +106,8 @@ std::string calibrationFile(const std::string& url, const std::string& camera_na
   if (!is_file || resolved.find("${") != std::string::npos) {
     throw aibo_client::InvalidArgumentException(
         parameter +
-        "which does not name a YAML or INI file; it must be file:///FILE.yaml, "
-        "package://PACKAGE/FILE.yaml, in both ${ROS_HOME} and ${NAME}, or empty.");
+        "which does not name a YAML or INI file; it must be file:///FILE.yaml or "
+        "package://PACKAGE/FILE.yaml, which may contain ${ROS_HOME} and ${NAME}, or empty.");
   }
   if (!in_package) {
     return resolved.substr(begin);
