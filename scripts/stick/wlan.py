@@ -60,7 +60,8 @@ class WlanConf:
                 continue
             name, has_value, value = (part.strip(" \t") for part in line.partition("="))
             if not has_value:  # it may hold the key, so it is not shown
-                yield self._problem(number, "it is not NAME=VALUE.", "Correct it, or begin it with # to make it a comment.")
+                yield self._problem(number, "it is not NAME=VALUE.",
+                                    "Correct it, or begin it with # to make it a comment.")
             elif name not in VALUES:
                 yield self._problem(number, f"the robot has no setting {name!r}.",
                                     f"Is it misspelt? There are {', '.join(VALUES)}.")
