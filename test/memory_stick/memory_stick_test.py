@@ -421,7 +421,7 @@ class Verification(Workshop):
                 (b"ESSID=SECOND", "line 4: ESSID appears a second time", "Take out"),
                 (b"USEDHCP = 1", "line 4: the robot has no setting 'USEDHCP'", "USE_DHCP"),
                 (b"\xef\xbb\xbfWEPENABLE=0", "line 4: the robot has no setting '\\ufeffWEPENABLE'", "misspelt"),
-                (b"WEPKEY: Secret", "line 4: it is not NAME=VALUE", "# comes first"),
+                (b"WEPKEY: Secret", "line 4: it is not NAME=VALUE", "begin it with #"),
                 (b"HOSTNAME=12345", "line 4: HOSTNAME cannot be '12345'", "at least one letter"),
                 (b"WEPENABLE=yes", "line 4: WEPENABLE cannot be 'yes'", "0 or 1"),
                 (b"APMODE=3", "line 4: APMODE cannot be '3'", "between two computers"),
