@@ -134,7 +134,7 @@ const char* readFileName(const char* text, size_t size, FileName& name) {
     return "the name has more than 8 characters before its ending";
   }
   if (!isAllowedInName(text, stem_size)) {
-    return "before its ending, the name has characters other than A to Z, 0 to 9 and !#$%&'()-@^_`{}~";
+    return "the name has characters other than A to Z, 0 to 9 and !#$%&'()-@^_`{}~ before its ending";
   }
   for (size_t i = 0; i < size; ++i) {
     name[i] = capital(text[i]);

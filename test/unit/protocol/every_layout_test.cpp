@@ -294,14 +294,14 @@ const Verdict kVerdicts[] = {
     {verdict<MotionUpload>, changed(kUpload, {{0, 6}}), ".MTN"},
     {verdict<MotionUpload>, changed(kUpload, {{0, 8}}), ".MTN"},
     {verdict<MotionUpload>, hex("ff") + Bytes(MAX_PAYLOAD_TOWARDS_ROBOT - 1, 'A'), ".MTN"},
-    {verdict<MotionUpload>, bytesOf("\x08../A.MTNxyz"), "other characters"},
+    {verdict<MotionUpload>, bytesOf("\x08../A.MTNxyz"), "characters other than"},
     {verdict<MotionUpload>, bytesOf("\x07NOD.MTN"), "no motion after its name"},
     {verdict<MotionToDelete>, bytesOf("wag.mtn"), NULL},
     {verdict<MotionToDelete>, {}, ".MTN"},
     {verdict<MotionOrder>, hex("00 00 00 00 00 00") + bytesOf("NOD.MTN"), NULL},
     {verdict<MotionOrder>, hex("00 00 00 00 ff ff") + bytesOf("WALK_FWD.MTN"), NULL},
     {verdict<MotionOrder>, hex("00 00 00 00 00 01"), ".MTN"},
-    {verdict<MotionOrder>, hex("00 00 00 00 00 01") + bytesOf("A/B.MTN"), "other characters"},
+    {verdict<MotionOrder>, hex("00 00 00 00 00 01") + bytesOf("A/B.MTN"), "characters other than"},
     {verdict<MotionChanges>, bytesOf("a\nb"), "plain"},
     {verdict<MotionChanges>, hex("ff"), "plain"},
     {verdict<MotionChanges>, Bytes(MAX_MOTION_CHANGES_SIZE, 'a'), NULL},
@@ -341,7 +341,7 @@ const Verdict kVerdicts[] = {
     {verdictOnMotions, bytesOf("\nNOD.MTN"), ".MTN"},
     {verdictOnMotions, bytesOf("NOD.MTN\n\nWAG.MTN"), ".MTN"},
     {verdictOnMotions, bytesOf("NOD.MTN\r\nWAG.MTN"), ".MTN"},
-    {verdictOnMotions, bytesOf("../A.MTN"), "other characters"},
+    {verdictOnMotions, bytesOf("../A.MTN"), "characters other than"},
 };
 
 TEST(Payloads, AreRefusedForTheRightReason) {

@@ -156,7 +156,7 @@ const RefusedRequest kRefusals[] = {
     {'M', 85, "A.JPG", CODE_REFUSED, "bad request"},
     {'Y', 0, "", CODE_REFUSED, "the id is not one of 1 (list), 2 (fetch) and 3 (delete)"},
     {'Y', LIST_PICTURES, "x", CODE_REFUSED, "bad request"},
-    {'Y', FETCH_PICTURE, "../A.JPG", CODE_REFUSED, "bad request: the name has other characters"},
+    {'Y', FETCH_PICTURE, "../A.JPG", CODE_REFUSED, "bad request: the name has characters other"},
     {'Y', DELETE_PICTURE, "NOD.MTN", CODE_REFUSED, "bad request: the name of the picture"},
     {'Y', FETCH_PICTURE, "NONE.JPG", CODE_FILE_MISSING,
      "there is no NONE.JPG on the memory stick, in OPEN-R/MW/DATA/P"},
