@@ -153,6 +153,7 @@ class FaultProxy {
   struct Step {
     Bytes bytes{};
     std::optional<Fault> fault{};
+    TimePoint due{};
   };
 
   // Threads that wait for sockets look this often whether they still have to.
@@ -229,26 +230,49 @@ class FaultProxy {
   }
 
   void carry(Stream* stream) {
+    std::deque<Step> steps;
+    bool goes_on = true;
+    while ((goes_on || !steps.empty()) && pass(microseconds(0), *stream)) {
+      const auto left = steps.empty() ? kTick : steps.front().due - std::chrono::steady_clock::now();
+      if (left <= microseconds(0)) {
+        take(steps.front(), stream);
+        steps.pop_front();
+      } else if (!goes_on) {
+        pass(std::chrono::duration_cast<microseconds>(left), *stream);
+      } else if (isReady(stream->sender(), POLLIN, std::min<TimePoint::duration>(left, kTick))) {
+        goes_on = read(stream, &steps);
+      }
+    }
+  }
+
+  /// Reads what has come, and adds steps for it that are due after the delay.
+  /// @return false at the end of the bytes
+  bool read(Stream* stream, std::deque<Step>* steps) {
     constexpr std::size_t kMost = 16384;
-    while (pass(microseconds(0), *stream)) {
-      if (!isReady(stream->sender(), POLLIN, kTick)) {
-        continue;
-      }
-      Bytes bytes(kMost);
-      const ssize_t count = ::recv(stream->sender().get(), bytes.data(), bytes.size(), 0);
-      if (count <= 0) {
-        change([&] { end(count == 0 ? Action::kHalfClose : Action::kReset, stream->link, stream->receiver()); });
-        return;
-      }
-      bytes.resize(static_cast<std::size_t>(count));
-      for (const Step& step : cut(bytes, stream)) {
-        send(step.bytes, stream);
-        if (step.fault && step.fault->action == Action::kPause) {
-          pass(step.fault->time, *stream);
-        } else if (step.fault) {
-          change([&] { end(step.fault->action, stream->link, stream->receiver()); });
-        }
-      }
+    Bytes bytes(kMost);
+    const ssize_t count = ::recv(stream->sender().get(), bytes.data(), bytes.size(), 0);
+    bytes.resize(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    std::vector<Step> added = cut(bytes, stream);
+    if (count <= 0) {
+      added.back().fault = Fault{count == 0 ? Action::kHalfClose : Action::kReset};
+    }
+    const Conditions now = conditions();
+    using Jitter = std::uniform_int_distribution<microseconds::rep>;
+    const TimePoint due =
+        std::chrono::steady_clock::now() + now.delay + microseconds(Jitter(0, now.jitter.count())(stream->random));
+    for (Step& step : added) {
+      step.due = steps->empty() ? due : std::max(due, steps->back().due);
+      steps->push_back(std::move(step));
+    }
+    return count > 0;
+  }
+
+  void take(const Step& step, Stream* stream) {
+    send(step.bytes, stream);
+    if (step.fault && step.fault->action == Action::kPause) {
+      pass(step.fault->time, *stream);
+    } else if (step.fault) {
+      change([&] { end(step.fault->action, stream->link, stream->receiver()); });
     }
   }
 
@@ -302,8 +326,7 @@ class FaultProxy {
   void send(const Bytes& bytes, Stream* stream) {
     constexpr std::size_t kPacket = 1460;  // the unit to which a rate applies
     const Conditions now = conditions();
-    using Jitter = std::uniform_int_distribution<microseconds::rep>;
-    bool goes_on = pass(now.delay + microseconds(Jitter(0, now.jitter.count())(stream->random)), *stream);
+    bool goes_on = true;
     for (std::size_t sent = 0, size = 0; goes_on && sent < bytes.size(); sent += size) {
       size = now.largest_piece > 0 ? std::uniform_int_distribution<std::size_t>(1, now.largest_piece)(stream->random)
              : now.bytes_per_second > 0 ? kPacket

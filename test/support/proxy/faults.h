@@ -42,7 +42,7 @@ struct Fault {
 
 /// Lasting properties of the way, in both directions. The defaults are those of a perfect one.
 struct Conditions {
-  std::chrono::microseconds delay{0};   ///< what is sent meanwhile comes together
+  std::chrono::microseconds delay{0};   ///< of all bytes
   std::chrono::microseconds jitter{0};  ///< largest random addition to the delay
   std::size_t bytes_per_second = 0;     ///< 0 = no limit
   std::size_t largest_piece = 0;        ///< bytes come in pieces of random sizes, 1 to this; 0 = as they were sent
