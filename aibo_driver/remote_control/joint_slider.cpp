@@ -109,6 +109,10 @@ void JointSlider::measure(double position) {
   }
 }
 
+std::optional<double> JointSlider::position() const {
+  return measured_ ? std::optional<double>(slider_->value() / kSteps) : std::nullopt;
+}
+
 void JointSlider::forget() {
   measured_.reset();
   commanded_.reset();

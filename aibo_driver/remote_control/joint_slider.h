@@ -42,6 +42,10 @@ class JointSlider : public QWidget {
   /// @param position the measured position in rad
   void measure(double position);
 
+  /// The position that the slider shows, in rad: the one that it has commanded, until the joint has arrived, and
+  /// otherwise the measured one. Empty if the joint has not been measured yet.
+  std::optional<double> position() const;
+
   /// Returns to the state before the first measurement.
   void forget();
 

@@ -64,11 +64,15 @@ QWidget* Page::makeContent() {
 
 QPushButton* Page::makeButton(Needs needs, const QString& text, const QString& tip,
                               const std::function<void()>& clicked) {
+  return need(needs, makeButton(text, tip, clicked));
+}
+
+QPushButton* Page::makeButton(const QString& text, const QString& tip, const std::function<void()>& clicked) {
   auto* button = new QPushButton(text, this);
   button->setObjectName(text);
   button->setToolTip(tip);
   connect(button, &QPushButton::clicked, this, clicked);
-  return need(needs, button);
+  return button;
 }
 
 void Page::showEvent(QShowEvent* event) {

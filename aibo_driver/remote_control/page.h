@@ -71,6 +71,9 @@ class Page : public QScrollArea {
 
   QPushButton* makeButton(Needs needs, const QString& text, const QString& tip, const std::function<void()>& clicked);
 
+  /// Makes a button that can always be used.
+  QPushButton* makeButton(const QString& text, const QString& tip, const std::function<void()>& clicked);
+
  private:
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;

@@ -127,6 +127,10 @@ class Robot : public QObject {
   /// @param repetitions 1 or more
   virtual void playMotion(const QString& name, int repetitions) = 0;
 
+  /// Stores a motion on the robot's memory stick. It replaces a motion of the same name.
+  /// @param motion the bytes of a motion file
+  virtual void uploadMotion(const QString& name, const QByteArray& motion) = 0;
+
   /// Stops all motions that are playing.
   virtual void stopMotions() = 0;
   virtual void changeSetting(const QString& name, const QVariant& value) = 0;
@@ -171,6 +175,7 @@ class Robot : public QObject {
   /// @param text what moves the robot, in one line
   void movementChanged(const QString& text);
   void motionsListed(const QStringList& names);
+  void motionUploaded(const QString& name);
   void settingsDescribed(const QVector<aibo_driver::remote_control::Setting>& settings);
 
   /// The values of all settings that are in force.

@@ -6,6 +6,7 @@
 #include <aibo_driver/Say.h>
 #include <aibo_driver/StopMotion.h>
 #include <aibo_driver/TakePicture.h>
+#include <aibo_driver/UploadMotion.h>
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <ros/init.h>
 #include <ros/master.h>
@@ -351,6 +352,16 @@ void RosRobot::playMotion(const QString& name, int repetitions) {
   arguments.name = name.toStdString();
   arguments.repetitions = static_cast<std::uint16_t>(repetitions);
   call<PlayMotion>("play " + name, "play_motion", arguments);
+}
+
+void RosRobot::uploadMotion(const QString& name, const QByteArray& motion) {
+  UploadMotion::Request arguments;
+  arguments.name = name.toStdString();
+  arguments.data.assign(motion.begin(), motion.end());
+  call<UploadMotion>("upload " + name, "upload_motion", arguments,
+                     [this, name, driver = connection_.name_space](const UploadMotion::Response&) {
+                       postFrom(driver, [name](Robot& robot) { Q_EMIT robot.motionUploaded(name); });
+                     });
 }
 
 void RosRobot::stopMotions() {

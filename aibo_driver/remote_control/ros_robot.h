@@ -41,6 +41,7 @@ class RosRobot : public Robot {
   void takePosture(const QString& posture) override;
   void listMotions() override;
   void playMotion(const QString& name, int repetitions) override;
+  void uploadMotion(const QString& name, const QByteArray& motion) override;
   void stopMotions() override;
   void changeSetting(const QString& name, const QVariant& value) override;
   void setLeds(const QStringList& names, double intensity) override;

@@ -21,6 +21,7 @@
 #include "remote_control/joint_slider.h"
 #include "remote_control/remote_control.h"
 #include "remote_control/ros_robot.h"
+#include "support/memory_stick.h"
 #include "support/proxy/fault_proxy.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/topics.h"
@@ -104,7 +105,8 @@ class RemoteControlRosTest : public ::testing::Test {
     ros::param::del("/remote/stopped_by");
   }
 
-  test_support::SimulatedRobot simulated_;
+  test_support::MemoryStick stick_{"ALLOW_UPLOAD=yes\n"};
+  test_support::SimulatedRobot simulated_{{"--memory-stick", stick_.path().string()}};
   std::unique_ptr<DriverProcess> driver_;
   User user_;
 };
@@ -145,6 +147,7 @@ TEST_F(RemoteControlRosTest, CommandsTheRobot) {
     slider->setValue(slider->value() == 400 ? 300 : 400);
     return user_.textOf("movement").contains("tail_pan");
   }));
+  user_.find<QAbstractButton>("Add key frame")->click();
   user_.open("Lights");
   EXPECT_TRUE(user_.waitFor([this] {
     const bool shines = !user_.find<QWidget>("face_3")->styleSheet().isEmpty();
@@ -166,6 +169,7 @@ TEST_F(RemoteControlRosTest, CommandsTheRobot) {
       {"Move", "Sit", "sit: "},
       {"Move", "Motors on", "motors on: "},
       {"Move", "stream", "stream off: "},
+      {"Joints", "Play on robot", "play POSE: POSE.MTN has begun"},
       {"Motions", "Play", "play NOD.MTN: "},
       {"Motions", "Stop motions", "stop motions: "},
       {"Sound", "Say", "say: "},

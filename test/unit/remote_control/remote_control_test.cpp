@@ -6,9 +6,11 @@
 #include <QtTest/QTest>
 #include <QtWidgets>
 
+#include "motion_tool/motion_tool.h"
 #include "remote_control/axis_pad.h"
 #include "remote_control/joint_slider.h"
 #include "remote_control/robot.h"
+#include "support/temporary_folder.h"
 
 namespace aibo_driver::remote_control {
 namespace {
@@ -24,6 +26,7 @@ class FakeRobot : public Robot {
   QStringList wishes;
 
   std::set<Part> visible;
+  QByteArray uploaded;
 
   /// All wishes since the last call.
   QStringList take() {
@@ -49,6 +52,10 @@ class FakeRobot : public Robot {
   void listMotions() override { wishes.append("list"); }
   void playMotion(const QString& name, int repetitions) override {
     wishes.append("play " + name + " " + QString::number(repetitions));
+  }
+  void uploadMotion(const QString& name, const QByteArray& motion) override {
+    wishes.append("upload " + name);
+    uploaded = motion;
   }
   void stopMotions() override { wishes.append("stop motions"); }
   void changeSetting(const QString& name, const QVariant& value) override {
@@ -590,6 +597,89 @@ TEST_F(RemoteControlTest, EachJointHasASliderWithinTheLimitsOfItsRobot) {
   const int limit_of_an_ers7 = find<JointSlider>("head_tilt")->slider()->maximum();
   robot_.connectIt(2, "ERS-210");
   EXPECT_NE(find<JointSlider>("head_tilt")->slider()->maximum(), limit_of_an_ers7);
+}
+
+/// The page Joints of an ERS-7 whose joints are all measured at 0 or at their limits.
+class KeyFrameTest : public RemoteControlTest {
+ protected:
+  KeyFrameTest() {
+    robot_.connectIt();
+    open("Joints");
+    Q_EMIT robot_.jointsMeasured(positions());
+  }
+
+  JointPositions positions() {
+    JointPositions measured;
+    for (const JointSlider* slider : window_.findChildren<JointSlider*>()) {
+      measured[slider->joint()] = 0;
+    }
+    return measured;
+  }
+
+  // The motion that the robot would get, as text.
+  QString uploadedText() {
+    mtn::Motion motion;
+    EXPECT_TRUE(motion.read(reinterpret_cast<const unsigned char*>(robot_.uploaded.constData()),
+                            static_cast<size_t>(robot_.uploaded.size())))
+        << motion.problem();
+    return QString::fromStdString(motion_tool::printTextForm(motion));
+  }
+};
+
+TEST_F(KeyFrameTest, PosesBecomeAMotionThatIsUploadedAndThenPlayed) {
+  EXPECT_EQ(click("Play on robot"), QStringList()) << "there is no key frame";
+  find<QLineEdit>("name_of_new_motion")->setText("WAVE");
+  click("Add key frame");
+  find<JointSlider>("head_pan")->slider()->setValue(500);
+  JointPositions moved = positions();
+  moved["tail_pan"] = -0.3;
+  Q_EMIT robot_.jointsMeasured(moved);
+  click("Add key frame");
+  click("Add key frame");
+  click("Undo");
+  EXPECT_EQ(textOf("new_motion"), "2 key frames, 1 s");
+  find<QDoubleSpinBox>("seconds")->setValue(2);
+  EXPECT_EQ(textOf("new_motion"), "2 key frames, 2 s");
+  EXPECT_EQ(click("Play on robot"), QStringList("upload WAVE"));
+  EXPECT_THAT(uploadedText().toStdString(), testing::HasSubstr("at 2000\n"));
+  EXPECT_THAT(uploadedText().toStdString(), testing::HasSubstr("head_pan 28.")) << "where its slider has sent it";
+  EXPECT_THAT(uploadedText().toStdString(), testing::HasSubstr("tail_pan -17.")) << "where it is measured";
+  Q_EMIT robot_.motionUploaded("WAVE");
+  EXPECT_EQ(robot_.take(), QStringList("play WAVE 1"));
+  click("Clear");
+  EXPECT_EQ(click("Play on robot"), QStringList());
+}
+
+TEST_F(KeyFrameTest, AStopDuringTheUploadIsTheEndOfIt) {
+  click("Add key frame");
+  EXPECT_EQ(click("Play on robot"), QStringList("upload POSE"));
+  Q_EMIT robot_.conditionChanged(conditionOf(Motors::kOn, Posture::kStanding, "/pad"));
+  Q_EMIT robot_.conditionChanged({});
+  Q_EMIT robot_.motionUploaded("POSE");
+  EXPECT_EQ(robot_.take(), QStringList());
+}
+
+TEST_F(KeyFrameTest, PosesCanBeAddedWhileTheMotorsAreOffAndSavedWithoutARobot) {
+  Q_EMIT robot_.conditionChanged(conditionOf(Motors::kOff, Posture::kLying));
+  EXPECT_FALSE(find<JointSlider>("head_pan")->slider()->isEnabled());
+  find<QAbstractButton>("Add key frame")->click();
+  robot_.disconnectIt(State::kDisconnected, "the battery is empty");
+  const test_support::TemporaryFolder folder;
+  const std::string path = (folder.path() / "POSE").string();
+  const std::tuple<const char*, const char*, const char*> rows[] = {
+      {".txt", "name POSE\n", "saved as "},
+      {".MTN", "OMTN", "saved as "},
+      {".txt", "name POSE\n", "exists; choose another name"},
+      {"/no/such/folder.txt", "", "not saved: "},
+  };
+  for (const auto& [ending, begin, words] : rows) {
+    click("Save as...");
+    EXPECT_EQ(QApplication::activeModalWidget(), nullptr) << "STOP can be clicked meanwhile";
+    Q_EMIT window_.findChild<QFileDialog*>()->fileSelected(QString::fromStdString(path + ending));
+    EXPECT_TRUE(textOf("new_motion").contains(words)) << textOf("new_motion").toStdString();
+    QFile file(QString::fromStdString(path + ending));
+    EXPECT_EQ(file.open(QIODevice::ReadOnly) && file.readAll().startsWith(begin), *begin != '\0') << ending;
+  }
 }
 
 TEST(JointSliderTest, CommandsItsJointAndFollowsItAgainAfterwards) {
