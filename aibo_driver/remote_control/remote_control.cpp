@@ -184,6 +184,8 @@ void RemoteControl::connectSignals() {
   connect(&robot_, &Robot::conditionChanged, this, &RemoteControl::showCondition);
   connect(&robot_, &Robot::streamingChanged, this, &RemoteControl::showStreaming);
   connect(&robot_, &Robot::pictureArrived, picture_, &PictureView::showPicture);
+  connect(&robot_, &Robot::pictureTaken, this,
+          [this](const QImage&, const QString& path) { showAnswer(true, "take picture: saved as " + path); });
   connect(&robot_, &Robot::hinted, this, [this](const QString& text) { showAnswer(true, text); });
   connect(&robot_, &Robot::answered, this, &RemoteControl::showAnswer);
 }

@@ -310,6 +310,7 @@ TEST_F(RemoteControlTest, PicturesGoToTheChosenFolderAndTheNewestIsShown) {
   EXPECT_FALSE(find<QWidget>("thumbnail")->isEnabled());
   Q_EMIT robot_.pictureTaken(QImage(208, 160, QImage::Format_RGB32), "/chosen/a.jpg");
   EXPECT_EQ(textOf("path"), "/chosen/a.jpg");
+  EXPECT_TRUE(textOf("status").endsWith("saved as /chosen/a.jpg")) << "on every page";
 }
 
 TEST_F(RemoteControlTest, EachPlaceOfAPadHasItsDirection) {
