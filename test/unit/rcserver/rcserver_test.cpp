@@ -160,6 +160,19 @@ TEST_F(JointsTest, GainsGoOnOnlyAfterThePresentPositionsWereCommanded) {
   EXPECT_TRUE(robot_.powered);
 }
 
+TEST_F(JointsTest, StayLimpWhateverAClientCommandsIfTheMotorsAreOffAtBoot) {
+  for (FakeRobot::FakeJoint& joint : robot_.joints) {
+    joint.gain = false;
+  }
+  robot_.powered = false;
+  startWith("MOTORS_AT_BOOT=no");
+  expectError(request('J', kHeadPan, 1000));
+  expectError(request('J', 0, 1000));
+  passFrames(kLongestWay);
+  EXPECT_TRUE(isLimp());
+  EXPECT_FALSE(robot_.powered);
+}
+
 TEST_F(JointsTest, EveryJointIsReadAndSetByItsIdentifier) {
   for (size_t i = 0; i < robot_.joints.size(); ++i) {
     const Joint& joint = robot_.model.joints[i];
