@@ -121,6 +121,18 @@ TEST_F(RCServerTest, ClientThatOnlyReadsItsStreamIsNotSilent) {
   expectPictureOfNextImage(*first, 85);
 }
 
+TEST_F(RCServerTest, ClientThatOnlySendsIsNotSilent) {
+  auto first = connectServed();
+  const std::string bytes = fileRequest('P', "NOD.MTN", 1);
+  for (std::size_t i = 0; i + 1 < bytes.size(); ++i) {  // the request is never complete, so there is no answer
+    first->send(bytes.substr(i, 1));
+    passFrames(100);
+  }
+  auto second = connect();
+  passFrames(4);
+  EXPECT_TRUE(second->ended());
+}
+
 TEST_F(RCServerTest, ClientThatDoesNotReadItsStreamIsReplacedByTheNext) {
   robot_.showNoise();
   auto first = connect(4096);
