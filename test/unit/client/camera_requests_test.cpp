@@ -58,6 +58,17 @@ TEST_F(CameraRequestsTest, AStreamOfFewImagesIsNotTakenForASilentOne) {
   EXPECT_EQ(kSilentStream, whyGivenUp([this] { live(milliseconds(2)); }));
 }
 
+TEST_F(CameraRequestsTest, APictureHasTheStreamsResolutionUnlessAnotherIsAskedFor) {
+  begin();
+  wanted_.streaming = true;
+  wanted_.format.resolution = Resolution::kLow;
+  EXPECT_EQ("W 73 1 2 0 1", request());
+  takePicture(0);
+  EXPECT_EQ("F 73 2", request());
+  takePicture(0, milliseconds(2000), Resolution::kMiddle);
+  EXPECT_EQ("F 73 1", request());
+}
+
 TEST_F(CameraRequestsTest, APictureOfAnotherResolutionIsForItsCallerAlone) {
   begin();
   stream();
