@@ -164,6 +164,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       stop_memory_(handle_),
       motion_state_(handle_, mover_, stop_memory_),
       joints_(joint_table_, mover_),
+      body_pose_(joint_table_, measured_joints_, mover_),
       walk_(parameters_.walk, client_, mover_),
       goal_walks_(parameters_, client_, mover_, [this] { return odometry_.here(); }),
       leds_and_ears_(model_, client_, mover_),
@@ -184,6 +185,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
   stayStopped();
   warnOfMissingModel(parameters_.robot);
   joints_.subscribe(order_thread_.handle());
+  body_pose_.subscribe(order_thread_.handle());
   walk_.subscribe(order_thread_.handle());
   goal_walks_.subscribe(order_thread_.handle());
   leds_and_ears_.subscribe(order_thread_.handle());

@@ -43,6 +43,7 @@
 #include "node/sound/microphone_publisher.h"
 #include "node/state_publisher.h"
 #include "node/stop_memory.h"
+#include "node/walk/body_pose_commander.h"
 #include "node/walk/goal_walks.h"
 #include "node/walk/odometry_publisher.h"
 #include "node/walk/walk_commander.h"
@@ -157,6 +158,7 @@ class AiboDriver {
   StopMemory stop_memory_;
   MotionStatePublisher motion_state_;
   JointCommander joints_;
+  BodyPoseCommander body_pose_;
   WalkCommander walk_;
   GoalWalks goal_walks_;
   LedsAndEars leds_and_ears_;
