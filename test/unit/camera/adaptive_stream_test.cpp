@@ -95,6 +95,13 @@ TEST_F(AdaptiveStreamTest, TriesAHigherStepEverMoreRarely) {
   EXPECT_LE(static_cast<long>(changes_.size()) - first_half, 4) << "in the last five minutes";
 }
 
+TEST_F(AdaptiveStreamTest, TriesAHigherStepWithinTenMinutes) {
+  passOverLink(25, 1h);
+  ASSERT_TRUE(stream_.isLowered());
+  pass(kInTime, 10min);
+  EXPECT_FALSE(stream_.isLowered());
+}
+
 TEST_F(AdaptiveStreamTest, ComesBackToTheBestWhenTheLinkIsGoodAgain) {
   passOverLink(8, 20s);
   ASSERT_TRUE(stream_.isLowered());
