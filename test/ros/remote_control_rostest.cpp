@@ -292,6 +292,9 @@ TEST_F(RemoteControlRosTest, AFloodOfMessagesDoesNotHoldUpTheWindow) {
   ASSERT_TRUE(user_.waitForText("condition", "stopped by " + QString::number(kFlood - 1)));
   EXPECT_LT(shown, kFlood / 3);
   EXPECT_FALSE(user_.textOf("condition").contains("\x1b"));
+  ros::V_string topics;
+  ros::this_node::getSubscribedTopics(topics);
+  EXPECT_THAT(topics, testing::Not(testing::Contains("/tf"))) << "a flood of frames freezes rviz";
 }
 
 TEST(RemoteControlRos, WaitsForADriverThatHasNotBeenHeardAndForTheMaster) {
