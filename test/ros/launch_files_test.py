@@ -98,6 +98,7 @@ class LaunchFilesTest(unittest.TestCase):
 
     def test_the_other_launch_files_have_these_defaults(self):
         aggregator = yaml.safe_load((PROJECT / 'config/diagnostics_aggregator.yaml').read_text(encoding='utf-8'))
+        self.assertEqual([each['timeout'] for each in aggregator['analyzers'].values()], [5.0] * 5)
         expected = {
             'diagnostics.launch': dict(flat('/diagnostic_aggregator', aggregator)),
             'playback.launch': {'/use_sim_time': False, **{'/playback/aibo/' + name: value for name, value in (
@@ -201,6 +202,9 @@ class LaunchFilesTest(unittest.TestCase):
             self.assertEqual(set(nodes(config)), {'/left/aibo_teleop_joy', '/aibo_joy'})
             self.assertEqual(parameters(config)['/aibo_joy/dev'], device)
         self.assertEqual(*(set(yaml.safe_load(file.read_text('utf-8'))) for file in (PROJECT / 'config/joy.yaml', other)))
+        usual = yaml.safe_load((PROJECT / 'config/joy.yaml').read_text('utf-8'))
+        self.assertEqual([usual[name] for name in ('speed', 'side_speed', 'turn_speed', 'release_button')],
+                         [0.15, 0.06, 1.0, 5])
         speeds = {'speed': 0.2, 'side_speed': 0.03, 'turn_speed': 0.7}
         config = resolve('teleop.launch', ns='left', **speeds)
         self.assertEqual(driver_parameters(config, '/left/aibo_teleop_keyboard'), speeds)
@@ -223,6 +227,9 @@ class LaunchFilesTest(unittest.TestCase):
         for name, host, port in (('left', 'h', 54321), ('right', 'i', 6)):
             given = driver_parameters(config, '/%s/aibo_driver' % name)
             self.assertEqual((given['host'], given['port'], given['frame_prefix']), (host, port, name))
+        usual = resolve('fleet.launch')
+        self.assertEqual([driver_parameters(usual, '/%s/aibo_driver' % name)['host'] for name in ('left', 'right')],
+                         ['left', 'right'])
         model = ElementTree.fromstring(config.params['/fleet/robot_description'].value)
         self.assertEqual([(joint.find('parent').get('link'), joint.find('child').get('link'))
                           for joint in model.findall('joint')], [('fleet', 'left/odom'), ('fleet', 'right/odom')])
@@ -237,11 +244,18 @@ class LaunchFilesTest(unittest.TestCase):
 
     def test_a_recording_has_what_the_driver_publishes(self):
         self.assertNotIn('/aibo/microphone', recorded())
+        self.assertIn('/diagnostics', recorded())
         left_out = {'camera/image_raw', 'color_mask', 'audio', '/tf', '/diagnostics'}
         of_an_ers210 = {'range/head'}
         not_of_the_driver = {'cmd_vel', 'room', 'room/ball'}
         self.assertEqual(set(recorded(diagnostics=False, sound=True)),
                          {'/aibo/' + topic for topic in documented_topics() - left_out | of_an_ers210 | not_of_the_driver})
+
+    def test_a_recording_is_named_after_its_robot(self):
+        for given, prefix in ({}, Path.home() / 'aibo'), ({'ns': 'left'}, Path.home() / 'left'), (
+                {'prefix': '/srv/walk'}, '/srv/walk'):
+            record = nodes(resolve('record.launch', **given))['/%s/record' % given.get('ns', 'aibo')]
+            self.assertIn("--output-prefix='%s' " % prefix, record.args)
 
     def test_a_recording_has_no_name_that_a_robot_knows(self):
         for topic, name in recorded(ns='team/right', sound=True, diagnostics=False).items():
