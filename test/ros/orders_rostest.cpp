@@ -195,7 +195,9 @@ TEST(PositionControllers, MoveEveryJoint) {
 TEST(SpeedLimits, OfTheParametersAreThoseOfCommandsAndMotions) {
   OrderUser user(
       "/limits", {},
-      {"_stream_on_start:=false", "_joint_speed_limit:=1.5", "_approach_speed:=20", "_motion_speed_limit:=0.3"});
+      {"_stream_on_start:=false", "_joint_speed_limit:=1.5", "_approach_speed:=0.2", "_motion_speed_limit:=0.3"});
+  EXPECT_TRUE(user.reaches({{"head_pan", 0.3}}, "joint_command", command({{"head_pan", 0.3}})));
+  EXPECT_LE(user.joints.highestSpeed("head_pan"), 0.2 + kSpeedTolerance) << "of the first movement";
   EXPECT_TRUE(user.reaches({{"head_pan", 1.0}}, "joint_command", command({{"head_pan", 1.0}})));
   EXPECT_LE(user.joints.highestSpeed("head_pan"), 1.5 + kSpeedTolerance);
   ASSERT_TRUE(user.play("nod").success);
