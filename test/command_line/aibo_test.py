@@ -377,6 +377,10 @@ class Version1(OnBothVersions, TestCase):
     def test_stops_motions(self):
         self.assertEqual(self.json("stop"), {"stopped": True, "holds": False})
 
+    def test_does_not_know_how_old_pictures_are_and_how_many_are_lost(self):
+        stream = json.loads(self.aibo("--json", "watch", "--seconds", "1").stdout.splitlines()[0])["stream"]
+        self.assertEqual((stream["age"], stream["worst_age"], stream["loss"]), (None, None, None))
+
 
 class Version2(OnBothVersions, TestCase):
     SERVER = " on an ERS-7, version 2 of the protocol$"
@@ -849,6 +853,16 @@ class Answered(TestCase):
                     time.sleep(0.01)
                 play.send_signal(signal.SIGINT)
             self.assertEqual(play.wait(60), -signal.SIGINT)
+
+    def test_joints_move_at_29_degrees_a_second_unless_told_otherwise(self):
+        for words, speed in ([], 0.5), (["--speed", "90deg/s"], math.pi / 2):
+            heard = []
+            telemetry = measured(J={joint: -900 * joint for joint in self.JOINTS})
+            port = self.server(says_hello(b"", heard=heard, until=b"J", answers={b"T": [[b"\0\4", telemetry]],
+                                                                                 b"V": [[b""]]}))
+            self.aibo("move", "head_pan=30deg", *words, port=port, status=UNREACHABLE)
+            limit, = (asked for kind, _, asked in heard if kind == b"V")
+            self.assertAlmostEqual(struct.unpack(">i", limit[-4:])[0], 1e6 * speed, delta=10)
 
     def test_motors_that_stay_as_they_are(self):
         for wish, state in (("on", "off"), ("off", "on")):
