@@ -97,6 +97,7 @@ class TheFiles(unittest.TestCase):
         self.assertIn(f"define robot = {stick['ETHER_IP']}\n", self.nft)
         self.assertIn(int(self.hostapd["channel"]), range(1, 12))
         self.assertEqual(self.hostapd["hw_mode"], "b")
+        self.assertEqual(self.hostapd["max_num_sta"], "1")
         self.assertIn(f"interface={self.hostapd['interface']}\n", self.dnsmasq)
         self.assertIn(f'define robot_wlan = "{self.hostapd["interface"]}"\n', self.nft)
 

@@ -130,6 +130,17 @@ class TheRules(unittest.TestCase):
             self.assertEqual(driver.recv(7), b"picture")
             connection.close()
 
+    def test_let_the_robot_ping_the_computer(self):
+        run("nft", "-f", str(RULES))
+        with self.robot.here():
+            ping = socket.socket(socket.AF_INET, socket.SOCK_RAW, socket.IPPROTO_ICMP)
+        with ping:
+            ping.settimeout(TIMEOUT)
+            ping.connect((COMPUTER, 0))
+            ping.send(b"\x08\0\xf7\xff\0\0\0\0")  # an echo request with its checksum
+            while ping.recv(100)[20] != 0:  # behind the header of IP: the reply
+                pass
+
     def expect_dropped(self, send, received):
         """Without the rules, the packet arrives."""
         send(b"packet")
