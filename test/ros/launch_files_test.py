@@ -203,8 +203,10 @@ class LaunchFilesTest(unittest.TestCase):
             self.assertEqual(parameters(config)['/aibo_joy/dev'], device)
         self.assertEqual(*(set(yaml.safe_load(file.read_text('utf-8'))) for file in (PROJECT / 'config/joy.yaml', other)))
         usual = yaml.safe_load((PROJECT / 'config/joy.yaml').read_text('utf-8'))
-        self.assertEqual([usual[name] for name in ('speed', 'side_speed', 'turn_speed', 'release_button')],
-                         [0.15, 0.06, 1.0, 5])
+        self.assertLessEqual({'dead_man_button': 4, 'forward_axis': 1, 'turn_axis': 0, 'left_axis': 6, 'pan_axis': 3,
+                              'tilt_axis': 4, 'stop_button': 1, 'release_button': 5, 'picture_button': 0,
+                              'motions': {'NOD': 2, 'WAG': 3}, 'postures': {'rest': 6, 'stand': 7},
+                              'speed': 0.15, 'side_speed': 0.06, 'turn_speed': 1.0}.items(), usual.items())
         speeds = {'speed': 0.2, 'side_speed': 0.03, 'turn_speed': 0.7}
         config = resolve('teleop.launch', ns='left', **speeds)
         self.assertEqual(driver_parameters(config, '/left/aibo_teleop_keyboard'), speeds)
