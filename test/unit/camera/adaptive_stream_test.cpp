@@ -63,6 +63,18 @@ TEST_F(AdaptiveStreamTest, FewOldPicturesChangeNothing) {
   EXPECT_FALSE(stream_.isLowered());
 }
 
+TEST_F(AdaptiveStreamTest, GoesDownAboveFourFifthsOfTheLimitAndUpBelowThreeFifths) {
+  pass(117ms, 1min);
+  EXPECT_FALSE(stream_.isLowered());
+  pass(123ms, 1s);
+  ASSERT_TRUE(stream_.isLowered());
+  const auto lowered = changes_.size();
+  pass(93ms, 1min);
+  EXPECT_EQ(changes_.size(), lowered);
+  pass(87ms, 1min);
+  EXPECT_FALSE(stream_.isLowered());
+}
+
 TEST_F(AdaptiveStreamTest, LowersQualityBeforeRate) {
   stream_ = AdaptiveStream({85, 2}, kMaxAge);
   int last_quality = 85;
