@@ -116,6 +116,13 @@ TEST_F(FittedMotionOfAnErs7, AStepThatIsTooFastTakesLongerAndTheOthersDoNot) {
   EXPECT_EQ(description(), "1 step is too fast (left_front_knee at 16 ms), so it takes 0.28 s, which is 0.08 s longer");
 }
 
+TEST_F(FittedMotionOfAnErs7, EverythingIsSaidInOneLine) {
+  ASSERT_TRUE(fit("at 0 left_front_knee 0 tail_pan 50\nat 16 left_front_knee 30\n"));
+  EXPECT_EQ(description(),
+            "tail_pan is clipped by up to 5.0 degrees (at 0 ms); 1 step is too fast (left_front_knee at 16 ms), so it "
+            "takes 0.10 s, which is 0.08 s longer");
+}
+
 TEST_F(FittedMotionOfAnErs7, TheSpeedLimitsInForceDecide) {
   ASSERT_TRUE(fit("at 0 head_pan 0\nat 800 head_pan 80\nat 1600 head_pan 0\n"));
   EXPECT_EQ(description(), "");
