@@ -76,6 +76,31 @@ TEST(Parts, HaveTheirIdentifiers) {
   EXPECT_EQ(findRobotModel("ERS-220"), nullptr);
 }
 
+TEST(Leds, OfAnErs7HaveSonysNamesAndSomeAnIntensity) {
+  const RobotModel& model = *findRobotModel("ERS-7");
+  std::string all;
+  for (int i = 0; i < model.number_of_leds; ++i) {
+    const std::string locator = model.leds[i].locator;
+    all += locator.substr(locator.rfind(':') + 1) + (model.leds[i].kind == LED2 ? " " : "+ ");
+  }
+  EXPECT_EQ(all, "l1 l2 l3 l4 l5 l6 la+ lb+ lc+ ld+ le+ lf+ lg+ lh+ li+ lj+ lk+ ll+ lm+ ln+ lu+ lv+ lw+ lx+ ly+ lz+ ");
+}
+
+TEST(Sensors, HaveTheirRanges) {
+  const RobotModel& model = *findRobotModel("ERS-7");
+  const std::tuple<const char*, int, int> rows[] = {{"range_near", 50000, 500000},
+                                                    {"range_far", 200000, 1500000},
+                                                    {"range_chest", 100000, 900000},
+                                                    {"acceleration_front_back", -19613300, 19613300},
+                                                    {"acceleration_right_left", -19613300, 19613300},
+                                                    {"acceleration_up_down", -19613300, 19613300}};
+  for (const auto& [name, lowest, highest] : rows) {
+    const Sensor& sensor = model.sensors[findSensorByName(model, name)];
+    EXPECT_EQ(sensor.lowest, lowest) << name;
+    EXPECT_EQ(sensor.highest, highest) << name;
+  }
+}
+
 // Touch sensors have Sony's levels; a switch is only on or off.
 TEST(Sensors, ArePressedWithHysteresis) {
   const struct {
