@@ -60,6 +60,19 @@ TEST(Head, ComesAsCloseAsItCanToWhatItCannotSee) {
   EXPECT_GT(findHeadAngles({0.12, 0, 0.095}, &angles), 20 * DEGREE) << "inside the head";
 }
 
+TEST(Head, SeesAheadFrom70DegreesDownTo45UpAnd88DegreesToEitherSide) {
+  const auto miss = [](double up, double left) {  // of a point that is far away, in degrees
+    HeadAngles angles;
+    const Point point = {100 * std::cos(up * DEGREE) * std::cos(left * DEGREE),
+                         100 * std::cos(up * DEGREE) * std::sin(left * DEGREE), 100 * std::sin(up * DEGREE)};
+    return findHeadAngles(point, &angles) / DEGREE;
+  };
+  for (const auto& [up, left] : {std::pair(-70, 0), {45, 0}, {0, 88}, {0, -88}}) {
+    EXPECT_NEAR(miss(up, left), 0, 0.2) << up << " " << left;
+    EXPECT_GT(miss(up + (up > 0 ? 1 : up < 0 ? -1 : 0), left + (left > 0 ? 1 : left < 0 ? -1 : 0)), 0.7);
+  }
+}
+
 TEST(Head, KeepsToTheLimitsOfItsJointsWhereverItLooks) {
   const RobotModel& model = *findRobotModel("ERS-7");
   const int neck = findJointByName(model, "neck_tilt");
