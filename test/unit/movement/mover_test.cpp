@@ -573,10 +573,16 @@ TEST_F(MoverTest, AVersion1ServerHoldsWhereTheJointsShouldBe) {
   told();
   mover.stop(order());
   EXPECT_THAT(told(), ElementsAre("J 2:0.50 in 0", "stop ")) << "motions end, too";
+  mover.release(order());
   const auto head = follow("head_pan", 0.6);
   told();
   mover.cancel(head.id, "the goal was cancelled");
-  EXPECT_THAT(told(), Not(Contains("stop ")));
+  EXPECT_THAT(told(), ElementsAre(StartsWith("J 2:")));
+  measured.clear();
+  command("head_pan", -0.7);
+  told();
+  mover.stop(order());
+  EXPECT_THAT(told(), ElementsAre("J 2:-0.70 in 0", "stop ")) << "nobody knows where it is";
 }
 
 TEST_F(MoverTest, TheMotorsAreWhatTheRobotSaysAndUnknownWithoutAConnection) {
@@ -605,6 +611,15 @@ TEST(Joints, AreApproachedSlowlyAfterWhateverMayHaveMovedThem) {
     robot.command("head_pan", 1.0);
     EXPECT_THAT(robot.client.told, ElementsAre("V 2:0.50", "J 2:1.00 in 0")) << events[0];
   }
+}
+
+TEST_F(MoverTest, AJointThatIsStoppedOnTheWayBeginsAgainSlowly) {
+  command("head_pan", 1.0);
+  mover.stop(order("/panel"));
+  mover.release(order("/panel"));
+  pass(5s);  // longer than the way would have taken
+  command("head_pan", 1.0);
+  EXPECT_EQ(client.speed_limits.at({client.connections, kHeadPan}), 0.5);
 }
 
 TEST_F(MoverTest, MotionsAndWalksHaveTheRobotsOwnSpeedsAndCommandsKeepTheirs) {
@@ -885,6 +900,14 @@ TEST(Walk, GoesOnAfterTheseEvents) {
     EXPECT_THAT(robot.told(), ElementsAre("steer 0.10 0.00 0.00")) << events.back();
     EXPECT_EQ(robot.mover.state().movements.at(0).kind, Kind::kWalk) << events.back();
   }
+}
+
+TEST_F(MoverTest, ATrajectoryOfTheHeadGoesOnWhenAWalkBegins) {
+  const auto head = follow("head_pan", 0.5);
+  walk();
+  pass(64ms);
+  EXPECT_EQ(textOf(head), "-");
+  EXPECT_EQ(told().back().rfind("J 2:", 0), 0U);
 }
 
 TEST_F(MoverTest, AWalkBrakesAtAVelocityOf0AndIsDoneWhenTheRobotSaysSo) {

@@ -14,7 +14,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 class TrajectoryTest : public ::testing::Test {
  protected:
   Trajectory plan(const TrajectoryRequest& request) {
-    return Trajectory(request, table_, {{mouth_, -0.5}, {pan_, present_pan_}, {neck_, -0.3}});
+    return Trajectory(request, table_, {{mouth_, -0.5}, {pan_, present_pan_, pan_velocity_}, {neck_, -0.3}});
   }
 
   std::string refusal(const TrajectoryRequest& request) {
@@ -41,6 +41,7 @@ class TrajectoryTest : public ::testing::Test {
   const std::size_t neck_ = *table_.findByName("neck_tilt");
   const std::size_t mouth_ = *table_.findByName("mouth");
   double present_pan_ = 0;
+  double pan_velocity_ = 0;
 };
 
 TEST_F(TrajectoryTest, BeginsWhereTheJointsAreAndGoesStraightFromPointToPoint) {
@@ -72,6 +73,16 @@ TEST_F(TrajectoryTest, PassesPointsWithTheVelocitiesGiven) {
   EXPECT_EQ(plan(pan({{1, {0.5}, {}}})).at(1)[1].velocity, 0) << "it is over";
 }
 
+TEST_F(TrajectoryTest, AJointThatMovesGoesOnAndArrivesWithTheAverageVelocityUnlessOneIsGiven) {
+  pan_velocity_ = 0.5;
+  const Trajectory trajectory = plan(pan({{1, {1}, {}}, {2, {0}, {}}}));
+  const double step = 1e-6;
+  const std::pair<double, double> rows[] = {{0, 0.5}, {1 - step, 1}, {1 + step, -1}};
+  for (const auto& [time, velocity] : rows) {
+    EXPECT_NEAR(trajectory.at(time)[1].velocity, velocity, 1e-4) << time;
+  }
+}
+
 TEST_F(TrajectoryTest, IsRefusedForTheseReasons) {
   const std::pair<TrajectoryRequest, std::string> rows[] = {
       {{{"left_ear"}, {{1, {0}, {}}}}, "no joint 'left_ear'"},
@@ -96,9 +107,10 @@ TEST_F(TrajectoryTest, IsRefusedForTheseReasons) {
       {pan({{0.4, {0.1}, {}}, {0.6, {1}, {}}}),
        "from 0.400 to 0.600 s, head_pan would have to move with 4.500 rad/s; its limit is 3.000 rad/s: give it more "
        "time."},
-      {pan({{0.4, {1}, {0}}}), "3.75"},                 // the middle of a cubic is its fastest
-      {pan({{1.0 / 3, {1}, {}}}), ""},                  // exactly the limit
-      {pan({{0, {1}, {}}, {1, {0}, {}}}), "head_pan"},  // it would jump
+      {pan({{0.4, {1}, {0}}}), "3.75"},  // the middle of a cubic is its fastest
+      {pan({{1.0 / 3, {1}, {}}}), ""},   // exactly the limit
+      {pan({{0, {0.09}, {}}, {1, {0}, {}}}), ""},
+      {pan({{0, {0.11}, {}}, {1, {0}, {}}}), "at time 0, head_pan"},  // it would jump
   };
   for (const auto& [request, reason] : rows) {
     EXPECT_THAT(refusal(request), testing::HasSubstr(reason));
