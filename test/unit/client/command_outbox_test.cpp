@@ -138,6 +138,9 @@ TEST(CommandOutboxTest, OfVelocitiesTheNewestWaitsAndAVelocityOf0BeforeIt) {
   outbox.stopWalk(true, "a stop");
   EXPECT_EQ("walk stopped #3 a stop;", takeDropped(&outbox));
   EXPECT_FALSE(outbox.let_go || outbox.steering);
+  outbox.steer({kForward, {at(1000), 0}});
+  outbox.steer({kForward, {at(1000), 0}});
+  EXPECT_EQ("", takeDropped(&outbox)) << "one without a number is replaced silently";
 }
 
 TEST(CommandOutboxTest, OfAWalkAndACommandToTheLegsTheNewerOneCounts) {

@@ -23,12 +23,23 @@ TEST(Names, AreThoseOfTheDesign) {
   EXPECT_THROW(idOfJoint("head_roll", "ERS-7"), InvalidArgumentException);
   EXPECT_THROW(idOfJoint("head_nod", "ERS-210"), InvalidArgumentException);
   EXPECT_NE(idOfSensor("chin", "ERS-210"), idOfSensor("chin", "ERS-7"));
+  EXPECT_EQ(idOfSensor("chin"), idOfSensor("chin", "ERS-7"));
   EXPECT_NO_THROW(idOfLed("eye_left_top", "ERS-210"));
   EXPECT_THROW(idOfLed("eye_left_top", "ERS-7"), InvalidArgumentException);
 }
 
 TEST(Names, AreListedIfOneIsNotKnown) {
-  EXPECT_EQ(nameOfLed(99), "LED 99");
-  EXPECT_THAT(test_support::refusalOf<InvalidArgumentException>([] { idOfJoint("elbow", "ERS-7"); }),
-              ::testing::AllOf(::testing::HasSubstr("'elbow'"), ::testing::HasSubstr("head_pan, ")));
+  EXPECT_EQ(nameOfJoint(99) + nameOfSensor(99) + nameOfLed(99), "joint 99sensor 99LED 99");
+  const std::pair<int (*)(const std::string&, const std::string&), const char*> rows[] = {
+      {idOfJoint, "neck_tilt, head_pan, "}, {idOfSensor, ", battery, "}, {idOfLed, "face_1, face_2, "}};
+  for (const auto& [id_of, names] : rows) {
+    EXPECT_THAT(test_support::refusalOf<InvalidArgumentException>([id_of = id_of] { id_of("elbow", "ERS-7"); }),
+                ::testing::AllOf(::testing::HasSubstr("'elbow'"), ::testing::HasSubstr(names)));
+  }
+}
+
+TEST(Names, OfPostures) {
+  EXPECT_EQ(nameOfPosture(Posture::kStand), "stand");
+  EXPECT_EQ(nameOfPosture(Posture::kSit), "sit");
+  EXPECT_EQ(nameOfPosture(Posture::kRest), "rest");
 }

@@ -69,6 +69,10 @@ TEST_F(Orders, HaveTheirNumbersAndTheirTimes) {
                 client_.playMotion("NOD.MTN", 1, kSafetyNet, {TimePoint(), 78});
               }),
               testing::HasSubstr("is " + too_old));
+  EXPECT_THROW(client_.setMotors(true, kSafetyNet, {TimePoint(), 80}), CommandException);
+  auto off = client_.beginMotors(false, kSafetyNet, {TimePoint(), 81});
+  EXPECT_EQ('O', peer.readRequest().header.kind) << "it is never too late to switch them off";
+  EXPECT_THAT(recorder_.reports().orders, testing::Not(testing::HasSubstr("80:"))) << "no order to follow";
 }
 
 // It counts its frames from 0 again.

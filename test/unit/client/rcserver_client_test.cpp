@@ -60,7 +60,7 @@ TEST_F(RcServerClientTest, TellsOfTheConnectionBeforeItTellsOfMotorsAndPosture) 
   peer.agreeToVersion2(kCapabilities, makeFrame('o', 0, {1, protocol::version2::POSTURE_SIT, 0, 0}));
   EXPECT_TRUE(eventually([&] { return client.motorsAndPosture().motors == MotorState::kOn; }));
   client.stop();
-  ASSERT_FALSE(states.empty());
+  ASSERT_EQ(2u, states.size()) << "and once more at the end of the connection";
   EXPECT_EQ(ConnectionState::kConnected, states.front());
 }
 
@@ -189,6 +189,7 @@ TEST_F(RcServerClientTest, DatagramsOfAnotherAddressAreOnlyCounted) {
   EXPECT_TRUE(eventually([this] { return client_.statistics().bad_datagrams == 1; }));
   EXPECT_EQ(1u, client_.statistics().foreign_datagrams);
   EXPECT_EQ(0u, client_.statistics().datagrams);
+  EXPECT_EQ(PictureTransport::kUdp, client_.status().wanted_transport);
 }
 
 TEST_F(RcServerClientTest, WhatARobotSaidBeforeItWentOffStaysUntilItAnswersAgain) {
