@@ -31,7 +31,7 @@ struct JpegInspection {
 /// nothing larger than 416x320 is ever decoded, whatever a header announces. No picture takes longer to decode than its
 /// size justifies.
 ///
-/// Damage inside the compressed data is not found; only a decoder finds it. No memory is allocated for a good picture.
+/// Damage inside the compressed data is not found; only a decoder finds it.
 ///
 /// @param data not null unless size is 0
 /// @param size bytes
