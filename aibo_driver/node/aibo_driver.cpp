@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <map>
+#include <string>
 
 #include "aibo_client/exceptions.h"
 #include "camera/camera_options.h"
@@ -307,10 +309,13 @@ void AiboDriver::letItGetUp(const std::string& source) {
 // Refused orders are not logged here, because the end of each movement is logged.
 void AiboDriver::refused(const aibo_client::Refusal& refusal) {
   using Request = aibo_client::RefusedRequest;
+  static const std::map<Request, std::string> kOthers = {{Request::kSpeedLimits, "joint speed limits"},
+                                                         {Request::kLeds, "LEDs"},
+                                                         {Request::kEars, "ears"},
+                                                         {Request::kMicrophone, "microphone"}};
   mover_.refused(refusal);
-  if (refusal.request == Request::kSpeedLimits || refusal.request == Request::kLeds ||
-      refusal.request == Request::kEars || refusal.request == Request::kMicrophone) {
-    warnings_.warn("A request was not carried out: " + text::sentence(refusal.reason));
+  if (const auto other = kOthers.find(refusal.request); other != kOthers.end()) {
+    warnings_.warn("The request for the " + other->second + " was refused: " + text::sentence(refusal.reason));
   }
 }
 
