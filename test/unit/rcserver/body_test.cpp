@@ -151,7 +151,7 @@ TEST_F(BodyTest, LedsGoOffAndEarsAreLetGoWhenTheClientGoes) {
 TEST_F(BodyTest, EarIsDrawnForItsTimeAndLetGo) {
   expectAnswer(request('K', kRightEar, 1), 'k', kRightEar, 1);
   passFrames(100);
-  EXPECT_EQ(framesDrawn(kRightEar), LightDriver::EAR_FRAMES);
+  EXPECT_EQ(framesDrawn(kRightEar), 16) << "128 ms";
   EXPECT_EQ(framesDrawn(kLeftEar), 0);
   EXPECT_FALSE(robot_.ears[1].drawn);
 }

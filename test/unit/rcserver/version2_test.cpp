@@ -4,7 +4,6 @@
 
 #include "picture_checks.h"
 #include "rcserver/joints/JointControl.h"
-#include "rcserver/walk/Gait.h"
 #include "rcserver_fixture.h"
 
 namespace {
@@ -78,11 +77,10 @@ TEST_F(Version2Test, HelloHasTheRobotTheTimeAndItsLimits) {
     EXPECT_EQ(said.joints[i].upper, robot_.model.joints[i].highest);
     EXPECT_EQ(said.joints[i].speed, robot_.model.joints[i].highest_speed);
   }
-  const GaitParameters gait;
-  EXPECT_DOUBLE_EQ(said.walk.forward, gait.fastest);
-  EXPECT_DOUBLE_EQ(said.walk.back, gait.highest.back);
-  EXPECT_DOUBLE_EQ(said.walk.left, gait.highest.left);
-  EXPECT_DOUBLE_EQ(said.walk.turn, gait.highest.turn);
+  EXPECT_DOUBLE_EQ(said.walk.forward, 0.3);
+  EXPECT_DOUBLE_EQ(said.walk.back, 0.15);
+  EXPECT_DOUBLE_EQ(said.walk.left, 0.08);
+  EXPECT_DOUBLE_EQ(said.walk.turn, 1.5);
 }
 
 TEST_F(Version2Test, ClientSilentForFiveSecondsIsDroppedAndItsJointsHold) {

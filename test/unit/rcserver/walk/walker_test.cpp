@@ -182,8 +182,8 @@ TEST_F(Walk, HasTheVelocityThatItIsSteeredWithAndEndsInTheStand) {
 
 TEST_F(Walk, IsATrotWhileItIsGuarded) {
   steer(kAhead);
-  EXPECT_DOUBLE_EQ(joints.Steer({9, 0, 0}).forward, walker().Parameters().fastest);
-  EXPECT_DOUBLE_EQ(joints.Steer({9, 0, 0}, true).forward, walker().Parameters().highest.forward);
+  EXPECT_DOUBLE_EQ(joints.Steer({9, 0, 0}).forward, 0.3);
+  EXPECT_DOUBLE_EQ(joints.Steer({9, 0, 0}, true).forward, 0.2);
 }
 
 TEST_F(Walk, EndsInTheStandIfItIsNotSteeredForHalfASecond) {
