@@ -27,6 +27,7 @@ struct Felt {
 
 TEST(FallWatch, TellsHowTheRobotIsFromItsAccelerometerAndItsPaws) {
   const FallWatch::Reading two_paws = {0, 0, kGravity, {false, false, true, true}};
+  const FallWatch::Reading three_paws = {0, 0, kGravity, {false, true, true, true}};
   const struct {
     const char* what;
     std::vector<Felt> felt;
@@ -47,6 +48,7 @@ TEST(FallWatch, TellsHowTheRobotIsFromItsAccelerometerAndItsPaws) {
       {"it tumbles", {{rolledBy(90), 20}, {rolledBy(180), 20}}, 4, FallWatch::UPSIDE_DOWN},
       {"no accelerometer", {{{0.5, -1, -0.5, {true, true, true, true}}, 500}}, 1, FallWatch::UPRIGHT},
       {"lifted", {{rolledBy(0), 20}, {rolledBy(0, false), 60}}, 1, FallWatch::CARRIED},
+      {"lifted after it stood on three paws", {{three_paws, 20}, {rolledBy(0, false), 60}}, 1, FallWatch::CARRIED},
       {"set down", {{rolledBy(0), 20}, {rolledBy(0, false), 60}, {rolledBy(0), 60}}, 1, FallWatch::UPRIGHT},
       {"it walks", {{rolledBy(0), 4}, {rolledBy(0, false), FallWatch::PATIENCE - 4}}, 10, FallWatch::UPRIGHT},
       {"hung up before its paws have touched anything", {{rolledBy(0, false), 500}}, 1, FallWatch::UPRIGHT},

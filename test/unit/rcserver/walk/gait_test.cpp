@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "rcserver/walk/WalkPace.h"
 #include "rcserver/walk/WalkedVelocity.h"
 #include "robot_model/robot_model.h"
 
@@ -139,6 +140,26 @@ TEST_F(GaitTest, AFastWalkLeavesRoomForLessTurning) {
   EXPECT_NEAR(gait_.LimitedInWalk({0.24, 0, -1.5}).forward, 0.24, 1e-9) << "it slows down before it turns";
   EXPECT_NEAR(gait_.LimitedInWalk({0.24, 0, -1.5}).turn, -0.15, 1e-9);
   EXPECT_DOUBLE_EQ(gait_.LimitedInWalk({0.1, 0, 1.5}).turn, gait_.Limited({0.1, 0, 1.5}).turn);
+}
+
+TEST(WalkPace, ChangesAVelocityInASecondByItsHighestValue) {
+  const Gait gait;
+  const protocol::version2::WalkLimits& highest = gait.Parameters().highest;
+  const std::pair<Velocity, Velocity> rows[] = {{{9, 0, 0}, {highest.forward, 0, 0}},
+                                                {{-9, 0, 0}, {-highest.back, 0, 0}},
+                                                {{0, 9, 0}, {0, highest.left, 0}},
+                                                {{0, 0, 9}, {0, 0, highest.turn}}};
+  for (const auto& [wanted, most] : rows) {
+    WalkPace pace(gait);
+    pace.Begin();
+    Legs legs;
+    for (int frame = 0; frame < 25; ++frame) {
+      pace.NextFrame(wanted, false, legs.data());
+    }
+    EXPECT_NEAR(pace.Commanded().forward, 0.2 * most.forward, 1e-9);
+    EXPECT_NEAR(pace.Commanded().left, 0.2 * most.left, 1e-9);
+    EXPECT_NEAR(pace.Commanded().turn, 0.2 * most.turn, 1e-9);
+  }
 }
 
 constexpr bool kAllPaws[] = {true, true, true, true};
