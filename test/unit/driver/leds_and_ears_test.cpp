@@ -1,38 +1,22 @@
 #include "node/body/leds_and_ears.h"
 
 #include <gmock/gmock.h>
-#include <ros/console.h>
 
 #include <cmath>
 
 #include "movement/mover.h"
 #include "support/fake_client.h"
+#include "unit/driver/log_listener.h"
 
 namespace aibo_driver::node {
 namespace {
 
+using test_support::listenToLog;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Pair;
 using ::testing::SizeIs;
-
-struct LogListener : public ros::console::LogAppender {
-  LogListener() { ros::console::register_appender(this); }
-  void log(ros::console::Level /*level*/, const char* text, const char* /*file*/, const char* /*function*/,
-           int /*line*/) override {
-    texts.emplace_back(text);
-  }
-  std::vector<std::string> texts;
-};
-
-/// Has what is logged from now on.
-const std::vector<std::string>& listenToLog() {
-  // It stays registered, because Debian 11's rosconsole crashes when a listener goes.
-  static auto* const listener = new LogListener;
-  listener->texts.clear();
-  return listener->texts;
-}
 
 const robot_model::RobotModel& ledRobot() {
   return *robot_model::findRobotModel("ERS-7");
