@@ -3,11 +3,14 @@
 
 #include <gmock/gmock.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <map>
 
 #include "support/fake_client.h"
+#include "unit/driver/log_listener.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -37,9 +40,9 @@ class BodyPoseCommanderTest : public ::testing::Test {
   }
 
   // The positions of the joints, by their identifiers.
-  std::map<int, double> positionsAt(double height, double pitch) const {
+  std::map<int, double> positionsAt(double height, double pitch, double roll = 0) const {
     std::map<int, double> positions;
-    const walk::OffsetLegs legs = walk::findLegs({height, 0, pitch}, table_);
+    const walk::OffsetLegs legs = walk::findLegs({height, roll, pitch}, table_);
     for (std::size_t i = 0; i < walk::kLegs; ++i) {
       const auto id = [i](int joint) { return robot_model::legJointIdentifier(static_cast<walk::Leg>(i), joint); };
       positions[id(0)] = legs.angles[i].rotator;
@@ -82,6 +85,38 @@ TEST_F(BodyPoseCommanderTest, AllJointsArriveAtTheSameTimeAndTheFastestMovesAt45
   }
   EXPECT_THAT(times, testing::Each(testing::DoubleNear(times[0], 0.001)));
   EXPECT_NEAR(fastest, 0.785, 1e-9);
+}
+
+// A turn to the left, then nose down, then the right side down: yaw 1, pitch 0.06, roll 0.05.
+TEST_F(BodyPoseCommanderTest, IsTheHeightRollAndPitchOfThePose) {
+  const Eigen::Quaterniond turn = Eigen::AngleAxisd(1, Eigen::Vector3d::UnitZ()) *
+                                  Eigen::AngleAxisd(0.06, Eigen::Vector3d::UnitY()) *
+                                  Eigen::AngleAxisd(0.05, Eigen::Vector3d::UnitX());
+  geometry_msgs::Pose pose = poseAt(0.005);
+  pose.position.x = 2;
+  pose.position.y = -3;
+  pose.orientation.w = turn.w();
+  pose.orientation.x = turn.x();
+  pose.orientation.y = turn.y();
+  pose.orientation.z = turn.z();
+  const std::vector<std::string>& log = test_support::listenToLog();
+  ASSERT_EQ(refusalOf(pose), "");
+  std::string expected = "J";
+  for (const auto& [id, position] : positionsAt(0.005, 0.06, 0.05)) {
+    char text[32];
+    std::snprintf(text, sizeof text, " %d:%.2f", id, position);
+    expected += text;
+  }
+  EXPECT_EQ(client_.told.back(), expected + " in 0");
+  EXPECT_THAT(log, IsEmpty()) << "it is possible";
+  ASSERT_EQ(mover_.state().movements.size(), 1U);
+  EXPECT_EQ(mover_.state().movements[0].kind, movement::Movement::Kind::kCommand);
+}
+
+TEST_F(BodyPoseCommanderTest, BeyondWhatIsPossibleAWarningNamesTheLimit) {
+  const std::vector<std::string>& log = test_support::listenToLog();
+  ASSERT_EQ(refusalOf(poseAt(1)), "");
+  EXPECT_THAT(log, testing::ElementsAre(testing::HasSubstr("the legs are too short")));
 }
 
 TEST_F(BodyPoseCommanderTest, RefusesWhatIsNoPose) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "support/fake_client.h"
+#include "unit/driver/log_listener.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -39,6 +40,16 @@ class JointCommanderTest : public ::testing::Test {
 TEST_F(JointCommanderTest, SendsAMessageAtOnceAndAsAWhole) {
   command({{"head_pan", 0.5}, {"mouth", -0.5}});
   EXPECT_THAT(client_.told, ElementsAre("V 2:0.50", "V 4:0.50", "J 2:0.50 4:-0.50 in 0"));
+}
+
+TEST_F(JointCommanderTest, WarnsOfJointsThatAreLeftOutOrClamped) {
+  const std::vector<std::string>& log = test_support::listenToLog();
+  command({{"head_pan", 9}, {"wing", 0}});
+  EXPECT_THAT(log, ElementsAre(testing::AllOf(testing::HasSubstr("head_pan"), testing::HasSubstr("'wing'"))));
+}
+
+TEST_F(JointCommanderTest, CollectsPositionsFor4Milliseconds) {
+  EXPECT_EQ(JointCommander::kCollectingTime, std::chrono::milliseconds(4));
 }
 
 TEST_F(JointCommanderTest, ATrajectoryWithoutPointsHoldsEverything) {

@@ -49,12 +49,26 @@ TEST(ParseLeds, FindsLedsByName) {
 TEST(ParseLeds, FindsGroupsOfLeds) {
   EXPECT_THAT(ordersOf({"face"}, {1.0F}).commands, SizeIs(14));
   EXPECT_THAT(ordersOf({"back"}, {1.0F}).commands, SizeIs(6));
+  EXPECT_THAT(ordersOf({"head"}, {1.0F}).commands, SizeIs(6));
   EXPECT_THAT(ordersOf({"all"}, {0.0F}).commands, SizeIs(26));
   Leds tail;
   tail.names = {"tail"};
   tail.intensities = {1.0F};
   const ParsedLeds of_tail = parseLeds(tail, *robot_model::findRobotModel("ERS-210"));
   EXPECT_THAT(of_tail.commands, SizeIs(2));
+}
+
+TEST(ParseLeds, OfAnLedThatIsNamedTwiceTheLaterOneCounts) {
+  EXPECT_THAT(intensitiesOf(ordersOf({"face", "face_1"}, {0, 1})), testing::Contains(Pair("face_1", 255)));
+  EXPECT_THAT(intensitiesOf(ordersOf({"face_1", "face"}, {0, 1})), testing::Each(Pair(testing::_, 255)));
+}
+
+TEST(ParseLeds, SelectsTheModeOfTheMessage) {
+  const std::pair<std::uint8_t, aibo_client::LedMode> rows[] = {{Leds::MODE_A, aibo_client::LedMode::kA},
+                                                                {Leds::MODE_B, aibo_client::LedMode::kB}};
+  for (const auto& [mode, expected] : rows) {
+    EXPECT_EQ(ordersOf({"face_1"}, {1}, mode).commands.at(0).mode, expected);
+  }
 }
 
 TEST(ParseLeds, LeavesNothingDarkThatIsNotOff) {

@@ -64,13 +64,21 @@ TEST(JointStatesTest, HaveTheDutyAsEffortIfItIsKnownOfAllJoints) {
 }
 
 TEST(RangeFinderTest, HoldsDistanceAndRange) {
-  const auto message = RangeFinder(sensorOf("range_far")).read(telemetryWith({{"range_far", 0.7}}));
-  ASSERT_TRUE(message);
-  EXPECT_FLOAT_EQ(message->range, 0.7F);
-  EXPECT_FLOAT_EQ(message->min_range, 0.2F);  // Model Information ERS-7
-  EXPECT_FLOAT_EQ(message->max_range, 1.5F);
-  EXPECT_EQ(message->radiation_type, sensor_msgs::Range::INFRARED);
-  EXPECT_GT(message->field_of_view, 0);
+  const std::tuple<const char*, float, float> rows[] = {
+      // Model Information ERS-7
+      {"range_near", 0.05F, 0.5F},
+      {"range_far", 0.2F, 1.5F},
+      {"range_chest", 0.1F, 0.9F},
+  };
+  for (const auto& [name, shortest, longest] : rows) {
+    const auto message = RangeFinder(sensorOf(name)).read(telemetryWith({{name, 0.33}}));
+    ASSERT_TRUE(message) << name;
+    EXPECT_FLOAT_EQ(message->range, 0.33F) << name;
+    EXPECT_FLOAT_EQ(message->min_range, shortest) << name;
+    EXPECT_FLOAT_EQ(message->max_range, longest) << name;
+    EXPECT_EQ(message->radiation_type, sensor_msgs::Range::INFRARED) << name;
+    EXPECT_NEAR(message->field_of_view, 2 * M_PI / 180, 1e-3) << name;
+  }
 }
 
 TEST(RangeFinderTest, IsInfiniteOutOfRange) {
@@ -200,6 +208,13 @@ TEST(BatteryTest, HoldsTheChargeAndMarksEverythingElseAsUnknown) {
                               message->capacity, message->design_capacity}) {
     EXPECT_TRUE(std::isnan(unknown));
   }
+  EXPECT_EQ(message->power_supply_status, sensor_msgs::BatteryState::POWER_SUPPLY_STATUS_UNKNOWN);
+}
+
+TEST(BatteryTest, HoldsTheTemperatureInDegreesCelsius) {
+  Battery battery(sensorOf("battery"), sensorOf("temperature"));
+  EXPECT_FALSE(battery.read(telemetryWith({{"temperature", 31.5}}))) << "version 1 reports one after the other";
+  EXPECT_FLOAT_EQ(battery.read(telemetryWith({{"battery", 0.87}}))->temperature, 31.5F);
 }
 
 TEST(BatteryTest, IsPublishedOnceASecond) {
