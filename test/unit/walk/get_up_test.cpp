@@ -49,6 +49,14 @@ TEST_F(GetUpTest, AFallenRobotStandsUpOnceWhenItLiesStill) {
   EXPECT_EQ(orders_, 1) << "it did not manage";
 }
 
+TEST_F(GetUpTest, ARobotThatFellWhileItTookAUsersPostureStandsUp) {
+  update({MotorState::kOn, PostureNow::kUnknown});
+  end(EndedHow::kFell, Movement::Kind::kPosture);
+  update({MotorState::kOn, PostureNow::kFallen});
+  goSoft();
+  EXPECT_EQ(orders_, 1);
+}
+
 TEST_F(GetUpTest, ARobotThatIsLiftedWaits) {
   update({MotorState::kOn, PostureNow::kWalking});
   end(EndedHow::kFell);
@@ -63,7 +71,8 @@ TEST_F(GetUpTest, ARobotThatIsLiftedWaits) {
 }
 
 TEST_F(GetUpTest, ARobotThatIsPutOnItsFeetOrCannotBeReachedWaits) {
-  for (const PostureNow posture : {PostureNow::kLying, PostureNow::kUnknown}) {
+  for (const PostureNow posture :
+       {PostureNow::kLying, PostureNow::kStanding, PostureNow::kSitting, PostureNow::kUnknown}) {
     fall();
     update({MotorState::kOn, posture});
     goSoft();

@@ -153,18 +153,20 @@ TEST(Odometry, KeepsTheDirectionBetweenMinusPiAndPi) {
   EXPECT_NEAR(odometry.yaw(), 2 * kPi - 4, 1e-9);
 }
 
-TEST(Odometry, IsAsUncertainAsItSaysAfterAMetreAndAfterARadian) {
+TEST(Odometry, IsAsUncertainAsTheDocumentSaysAfterAMetreAndAfterAQuarterTurn) {
   Odometry straight;
   straight.walk({0.1, 0, 0}, 10);
-  EXPECT_NEAR(std::sqrt(straight.covariance()(0, 0)), Odometry::kDistanceAfterMetre, 1e-9);
-  EXPECT_NEAR(std::sqrt(straight.covariance()(2, 2)), Odometry::kTurnAfterMetre, 1e-9);
+  constexpr double kDegree = kPi / 180;
+  EXPECT_NEAR(std::sqrt(straight.covariance()(0, 0)), 0.1, 1e-9);
+  EXPECT_NEAR(std::sqrt(straight.covariance()(1, 1)), 0.1, 1e-9);
+  EXPECT_NEAR(std::sqrt(straight.covariance()(2, 2)), 9 * kDegree, 0.5 * kDegree);
   Odometry sideways;
   sideways.walk({0, -0.1, 0}, 10);
-  EXPECT_NEAR(std::sqrt(sideways.covariance()(0, 0)), Odometry::kDistanceAfterMetre, 1e-9);
+  EXPECT_NEAR(std::sqrt(sideways.covariance()(0, 0)), 0.1, 1e-9);
   Odometry turning;
-  turning.walk({0, 0, -0.5}, 2);
-  EXPECT_NEAR(std::sqrt(turning.covariance()(0, 0)), Odometry::kDistanceAfterRadian, 1e-9);
-  EXPECT_NEAR(std::sqrt(turning.covariance()(2, 2)), Odometry::kTurnAfterRadian, 1e-9);
+  turning.walk({0, 0, -0.5}, kPi);
+  EXPECT_NEAR(std::sqrt(turning.covariance()(0, 0)), 0.0125, 1e-3);
+  EXPECT_NEAR(std::sqrt(turning.covariance()(2, 2)), 7 * kDegree, 0.5 * kDegree);
 }
 
 TEST(Odometry, ThatHasLostItsWayKeepsItsPlace) {
