@@ -165,6 +165,15 @@ TEST_F(RobotServicesTest, StopOneMotionOrAll) {
   EXPECT_EQ(lastTold(), "stop ");
 }
 
+TEST_F(RobotServicesTest, WaitTwoSecondsUntilTheRobotHasBegunOrStopped) {
+  const std::function<void()> calls[] = {[&] { setMotors(false); }, [&] { setMotors(true); }, [&] { play("nod"); },
+                                         [&] { stopMotion("nod"); }, [&] { call("stop"); }};
+  for (const auto& each : calls) {
+    each();
+    EXPECT_EQ(std::exchange(client_.timeout, 0s), 2s) << lastTold();
+  }
+}
+
 TEST_F(RobotServicesTest, ListTheMotions) {
   client_.motions = {"NOD.MTN", "SIT.MTN"};
   const auto response = callOfStick<ListMotions>("list_motions", 5s);
@@ -217,8 +226,8 @@ TEST_F(RobotServicesTest, AnswerInPlainTextOfLimitedLength) {
 TEST_F(RobotServicesTest, DeleteAMotionShutDownAndReboot) {
   EXPECT_EQ(remove("").message, "Nothing was deleted: give the name of a motion. list_motions lists them.");
   EXPECT_EQ(remove("nod").message, "NOD.MTN was deleted from the robot.");
-  EXPECT_TRUE(call("shut_down").success);
-  EXPECT_TRUE(call("reboot").success);
+  EXPECT_TRUE(callOfStick<std_srvs::Trigger>("shut_down", 5s).success);
+  EXPECT_TRUE(callOfStick<std_srvs::Trigger>("reboot", 5s).success);
   EXPECT_THAT(client_.told, ElementsAre("delete NOD.MTN", "shut down", "reboot"));
 }
 

@@ -72,7 +72,9 @@ TEST_F(StreamServicesTest, APictureHasTheResolutionThatIsAskedFor) {
 }
 
 TEST_F(StreamServicesTest, AnswerAPicture) {
+  parameters_.take_picture_timeout = std::chrono::seconds(7);
   const auto answer = takePicture(0);
+  EXPECT_EQ(client_.timeout, std::chrono::seconds(7)) << "no call waits longer";
   EXPECT_TRUE(answer.success);
   EXPECT_EQ(answer.message, "Took a picture of 208x160 pixels, 3 bytes, at quality 77.");
   EXPECT_THAT(answer.image.data, ElementsAre(1, 2, 3));
