@@ -39,6 +39,7 @@ CameraInfo calibrationOf(const Lens& lens) {
 
 const std::vector<Lens> kGood = {
     {"plumb_bob", {0.5, -30, 0.01, 0.002, 400}, 601, 598, 99, 83},
+    {"plumb_bob", {3.9, 0, 0, 0, 0}, 190, 190, 104, 80},  // the corners are 2.9 times as far from the middle
     {"rational_polynomial", {-0.4, 0.1, 0, 0, 0.02, -0.3, 0.05, 0.01}, 189, 190, 104, 80},
     {"rational_polynomial", {-4, 2, 0, 0, 0.1, -4.1, 2.2, 0, 0, 0, 0, 0, 0, 0}, 300, 301, 104, 80},
     {"equidistant", {0, 0, 0, 0}, 120, 120, 103.5, 79.5},
@@ -50,6 +51,7 @@ const std::vector<Lens> kGood = {
 const std::vector<Lens> kBad = {
     {"plumb_bob", {-0.147, 0.385, 0, 0}, 190, 190, 104, 80},
     {"plumb_bob", {-0.147, 0.385, 0, 0, -25}, 190, 190, 104, 80},
+    {"plumb_bob", {4.7, 0, 0, 0, 0}, 190, 190, 104, 80},  // 3.2 times
     {"rational_polynomial", {12.1, -5, 0, 0, 1.3, -2.2, 0, 0}, 190, 190, 104, 80},
     {"rational_polynomial", std::vector<double>(15), 190, 190, 104, 80},
     {"equidistant", {0, 0, 0, 0, 0}, 190, 190, 104, 80},
@@ -114,6 +116,8 @@ TEST(CalibrationCheck, NumbersThatMakeNoSenseAreRefused) {
       {[](CameraInfo& info) { info.K[0] = 0; }, "fx of K is 0, with which the camera would see 180 degrees"},
       {[](CameraInfo& info) { info.K[4] = 0; }, "fy of K is 0"},
       {[](CameraInfo& info) { info.K[4] = 3.2; }, "fy of K is 3.2"},
+      {[](CameraInfo& info) { info.K[0] = 36.8; }, "fx of K is 36.8, with which the camera would see 141"},
+      {[](CameraInfo& info) { info.K[0] = 1210; }, "fx of K is 1210, with which the camera would see 9.8"},
       {[](CameraInfo& info) { info.K[0] = 1900; }, "fx of K is 1900, with which the camera would see 6.2"},
       {[](CameraInfo& info) { info.K[2] = -1; }, "the middle cx, cy of K is -1, 80"},
       {[](CameraInfo& info) { info.K[5] = 805; }, "the middle cx, cy of K is 104, 805"},

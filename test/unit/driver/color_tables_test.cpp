@@ -97,6 +97,7 @@ TEST(ColorTableFile, IsRefusedWithWhatIsWrongAndWhere) {
       {"name: a\nranges: [{y: [0, 7], cr: [9, 8], cb: [0, 1]}]", "cr is [9, 8]"},
       {"name: a\nranges: [{y: [0, 7], cr: [a, b], cb: [0, 1]}]", "two whole numbers"},
       {"name: a\nranges: [{y: [4, 7], cr: [0, 1], cb: [0, 1]}]", "steps of 8"},
+      {"name: a\nranges: [{y: [0, 8], cr: [0, 1], cb: [0, 1]}]", "steps of 8"},
   };
   for (const auto& [text, problem] : rows) {
     EXPECT_THAT(tableRefusal(text), HasSubstr(problem));
@@ -154,7 +155,7 @@ class ColorTableServiceTest : public ::testing::Test {
 
   test_support::FakeClient client_;
   std::vector<std::pair<int, std::string>> loaded_;
-  const robot_model::RobotModel& model_ = *robot_model::findRobotModel("ERS-7");
+  robot_model::RobotModel model_ = *robot_model::findRobotModel("ERS-7");
   const SetColorTable set_table_ = [this](int channel, const aibo_client::ColorTablePtr& table) {
     loaded_.emplace_back(channel, table ? table->name : "");
   };
@@ -177,6 +178,9 @@ TEST_F(ColorTableServiceTest, WhatCannotBeLoadedLeavesTheChannelAsItIs) {
   EXPECT_THAT(load(0, "pink_ball", kPink).message, HasSubstr("both given"));
   EXPECT_FALSE(load(0, "", "nonsense").success);
   EXPECT_THAT(loaded_, testing::IsEmpty());
+  model_ = *robot_model::findRobotModel("ERS-210");
+  EXPECT_TRUE(load(7, "pink_ball").success);
+  EXPECT_THAT(load(8, "pink_ball").message, HasSubstr("an ERS-210 has the channels 0 to 7"));
 }
 
 TEST_F(ColorTableServiceTest, SaysWhenTheRobotDoesNotHaveItYet) {
