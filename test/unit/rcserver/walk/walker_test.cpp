@@ -395,6 +395,30 @@ TEST_F(PostureOfARobot, IsTakenSlowlyFromEveryOther) {
   }
 }
 
+TEST_F(PostureOfARobot, IsReachedFasterWhileTheLegsDoNotCarryItAndWhileItRolls) {
+  for (const bool rolls : {false, true}) {
+    WalkingRobot robot;
+    for (const std::string side : {"left", "right"}) {
+      robot.command(side + "_front_rotator", -90 * kDegree);
+      robot.command(side + "_hind_rotator", 90 * kDegree);
+      robot.command(side + "_front_knee", 120 * kDegree);
+      robot.command(side + "_hind_knee", 120 * kDegree);
+    }
+    robot.feels = rolls ? kOnItsSide : kUpright;
+    robot.pass(200);
+    robot.joints.Take(POSTURE_STAND);
+    int fastest = 0;
+    for (int passed = 0; passed < 300; ++passed) {
+      const std::vector<int> before = robot.positions();
+      robot.pass(1);
+      for (std::size_t i = 0; i < before.size(); ++i) {
+        fastest = std::max(fastest, std::abs(robot.positions()[i] - before[i]) * kFramesASecond);
+      }
+    }
+    EXPECT_NEAR(fastest, 1.1 * (rolls ? 180 : 90) * kDegree, 0.1 * (rolls ? 180 : 90) * kDegree);
+  }
+}
+
 TEST_F(PostureOfARobot, IsToldAlsoWhereItIsNoneOfTheThree) {
   const auto now = [this] { return walker().Now(positions().data()); };
   joints.Take(POSTURE_SIT);
@@ -472,7 +496,9 @@ TEST_F(Rest, LeavesAJointOfTheHeadAsALaterOrderSays) {
   };
   for (const auto& [order, give] : orders) {
     WalkingRobot robot;
-    robot.command("head_pan", 20 * kDegree);
+    for (const char* name : {"head_pan", "neck_tilt", "head_tilt"}) {
+      robot.command(name, (name == std::string("neck_tilt") ? -20 : 20) * kDegree);
+    }
     robot.pass(100);
     robot.take(POSTURE_SIT);
     robot.joints.Take(POSTURE_REST);
@@ -480,6 +506,7 @@ TEST_F(Rest, LeavesAJointOfTheHeadAsALaterOrderSays) {
     give(robot);
     robot.passUntilIdle();
     EXPECT_NEAR(robot.position("head_pan"), 20 * kDegree, 100) << order;
+    EXPECT_EQ(robot.position("neck_tilt"), -174533) << "the others are levelled";
     EXPECT_EQ(robot.position("head_tilt"), 0) << "the others are levelled";
   }
 }
@@ -552,10 +579,12 @@ TEST_F(Fall, LeavesLegsAloneThatSomethingElseHasMovedSince) {
 }
 
 TEST_F(Fall, OfARobotThatCannotGetUpIsGivenUpAfterSixAttempts) {
+  command("neck_tilt", -20 * kDegree);
   feels = kOnItsSide;
   pass(100);
   joints.Take(POSTURE_STAND);
   EXPECT_GT(passUntilIdle(), 6 * kFramesASecond);
+  EXPECT_EQ(position("neck_tilt"), -174533) << "its head is levelled";
   EXPECT_THAT(ends(), ElementsAre("stand: the robot lies on its right side"));
 }
 
