@@ -68,6 +68,13 @@ TEST(StanceTest, FollowsTheAccelerometerWhenNoFeetFitIt) {
   EXPECT_NEAR(lowest, 0, 1e-9) << "it does not hover";
 }
 
+TEST(StanceTest, BelievesTheFeetUpTo15DegreesFromTheAccelerometer) {
+  for (const auto& [roll, believed] : {std::pair(14, 0), {16, 16}}) {
+    const Stance stance = estimateStance(kStanding, accelerationAt(roll * kDegree, 0));
+    EXPECT_NEAR(std::atan2(stance.body.linear()(2, 1), stance.body.linear()(2, 2)), believed * kDegree, 0.5 * kDegree);
+  }
+}
+
 TEST(StanceTest, WhicheverFootIsLiftedTheRobotStandsOnTheOthers) {
   const Stance on_all_feet = estimateStance(kStanding, kLevel);
   for (std::size_t lifted = 0; lifted < kLegs; ++lifted) {
