@@ -72,6 +72,8 @@ TEST_F(SoundFileTest, AGzippedFileIsPlayed) {
   EXPECT_EQ(tone(16000), readAll("packed.wav"));
   folder_.write("secret.wav", test_support::gzipped("RIFX is not it"));
   EXPECT_THAT(complaintAbout("secret.wav"), HasSubstr("no WAV, FLAC or Ogg file"));
+  folder_.write("bomb.wav", test_support::gzipped(folder_.read("a.wav") + std::string(64U << 20U, '\0')));
+  EXPECT_THAT(complaintAbout("bomb.wav"), HasSubstr("has more than the 67108864 bytes allowed"));
 }
 
 TEST_F(SoundFileTest, OfSeveralChannelsTheMeanIsPlayed) {
