@@ -154,6 +154,12 @@ TEST_F(WalkGuardTest, TheRobotStopsFiveCentimetresBeforeAWall) {
   reading.far = 1;
   look(reading);
   EXPECT_LT(guard_.HighestForward(), 1) << "the other sensor sees it from farther away";
+  for (const double chest : {0.16, 0.185}) {  // 0.7 and 0.8 times the way to the floor
+    reading = onFloor();
+    reading.chest = chest;
+    look(reading);
+    EXPECT_EQ(guard_.HighestForward() < 1, chest == 0.16) << chest;
+  }
 }
 
 TEST_F(WalkGuardTest, ItStopsFourCentimetresBeyondTheGroundThatItRemembers) {
