@@ -100,14 +100,14 @@ TEST_F(StickPicturesTest, OwedPicturesComeFirstAndTheStreamGoesOn) {
 
 TEST_F(StickPicturesTest, AFullStickIsNamedAndNothingIsLeftOnIt) {
   put("AIBO0001.JPG", "old");
-  for (const size_t room : {size_t{0}, size_t{100}, PICTURE_RESERVE - 1}) {
-    room_ = room;
+  for (const int room : {0, 100, 65535}) {
+    room_ = static_cast<size_t>(room);
     expectRefusal(ask('M', 85), CODE_REFUSED,
                   "the memory stick is full: a picture needs its own size and 64 KB that stay free; fetch and delete");
     EXPECT_THAT(files(), ElementsAre("AIBO0001.JPG"));
   }
   expectReply(ask('Y', FETCH_PICTURE, "AIBO0001.JPG"), 'y', "old");
-  room_ = PICTURE_RESERVE;
+  room_ = 65536;
   EXPECT_EQ(take(), "AIBO0002.JPG");
   EXPECT_THAT(files(), ElementsAre("AIBO0001.JPG", "AIBO0002.JPG"));
 }
