@@ -91,6 +91,8 @@ const std::vector<CallRow> kCalls = {
      "", ""},
     {"set its volume", [](auto& c, auto time) { return std::to_string(c.setVolume(kVolumeOfRobot, time)); }, "A 3 255",
      Bytes{2}, "2", ""},
+    {"set its volume", [](auto& c, auto time) { return std::to_string(c.setVolume(3, time)); }, "A 3 3", Bytes{3}, "3",
+     ""},
     {"shut down", [](auto& c, auto time) { return c.shutDownRobot(time), ""; }, "Q 0", kNothing, "", "Q 0 0 0"},
     {"reboot", [](auto& c, auto time) { return c.rebootRobot(time), ""; }, "R 0", kNothing, "", "R 0 0 0"},
 };
@@ -246,6 +248,25 @@ TEST_F(Requests, WaitAsLongAsTheyAreTold) {
   }
 }
 
+TEST_F(Requests, ThatWaitAreRefusedInACallback) {
+  std::promise<std::string> waited;
+  RcServerClient* self = nullptr;
+  Callbacks callbacks;
+  callbacks.on_telemetry = [&](const Telemetry&) {
+    std::string words;
+    for (const CallRow& row : kCalls) {
+      const std::string complaint = refusalOf<Exception>([&] { row.call(*self, milliseconds(1)); });
+      words += complaint.find("cannot be called from a callback") == std::string::npos ? row.words : "";
+    }
+    waited.set_value(words);
+  };
+  RcServerClient client(optionsFor(server_), callbacks);
+  self = &client;
+  ScriptedPeer peer = connectVersion2(&client, kNeeded);
+  peer.send(version2_frames::makeFrame('t', 0, version2_frames::makeTelemetry(7, {{'J', 1, 0}})));
+  EXPECT_EQ("", waited.get_future().get());
+}
+
 TEST_F(Requests, WithoutAConnectionAreRefusedAndNotKept) {
   for (const CallRow& row : kCalls) {
     EXPECT_THAT(complaintInBackground<NetworkException>(row).get(), HasSubstr("has not been started")) << row.words;
@@ -273,11 +294,16 @@ TEST_F(Requests, WithWrongArgumentsAreNotSent) {
   table.segments[0] = ColorRange{2, 1, 3, 4};
   CameraSettings camera;
   camera.gain = 4;
-  const std::vector<std::int16_t> too_many(kMostSamplesAtOnce + 1);
+  CameraSettings no_balance;
+  no_balance.white_balance = 0;
+  CameraSettings fastest;
+  fastest.shutter_speed = 4;
+  const std::vector<std::int16_t> too_many(2049);
   const std::vector<JointTarget> negative_speed = {{1, 0, -1}};
   const std::vector<LedCommand> too_bright = {{1, 256}};
   const StreamFormat no_image{Resolution::kHigh, 0};
   const StreamFormat too_few_images{Resolution::kHigh, 65536};
+  const ColorDetection no_detection{true, 0, false};
   const ColorDetection rare_detection{true, 65536, false};
   const MicrophoneSettings three_channels{true, 3, 16000};
   const MicrophoneSettings odd_rate{true, 2, 11025};
@@ -288,14 +314,19 @@ TEST_F(Requests, WithWrongArgumentsAreNotSent) {
       [&] { client_.setJpegQuality(101); },
       [&] { client_.setStreamFormat(no_image); },
       [&] { client_.setStreamFormat(too_few_images); },
+      [&] { client_.setColorDetection(no_detection); },
       [&] { client_.setColorDetection(rare_detection); },
-      [&] { client_.setColorTable(kMostColorChannels, nullptr); },
+      [&] { client_.setColorTable(-1, nullptr); },
+      [&] { client_.setColorTable(8, nullptr); },
       [&] { client_.setColorTable(0, std::make_shared<ColorTable>(table)); },
       [&] { client_.setCameraSettings(camera); },
+      [&] { client_.setCameraSettings(no_balance); },
+      [&] { client_.setCameraSettings(fastest); },
       [&] { client_.setMicrophone(three_channels); },
       [&] { client_.setMicrophone(odd_rate); },
       [&] { client_.setTelemetryPeriod(-1); },
       [&] { client_.setTelemetryPeriod(65536); },
+      [&] { client_.takePicture(-1, time); },
       [&] { client_.takePicture(101, time); },
       [&] { client_.takePicture(50, milliseconds(0)); },
       [&] { client_.takePicture(50, std::chrono::hours(1) + milliseconds(1)); },
@@ -314,12 +345,15 @@ TEST_F(Requests, WithWrongArgumentsAreNotSent) {
       [&] { client_.uploadMotion("CON.MTN", {1}, time); },
       [&] { client_.deleteMotion("", time); },
       [&] { client_.takePictureOnRobot(0, time); },
+      [&] { client_.takePictureOnRobot(101, time); },
       [&] { client_.fetchPicture("../A.JPG", time); },
       [&] { client_.deletePicture("NOD.MTN", time); },
       [&] { client_.playSamples(0, {}, true, time); },
       [&] { client_.playSamples(0, too_many, true, time); },
+      [&] { client_.setVolume(-1, time); },
       [&] { client_.setVolume(4, time); },
       [&] { client_.waitForConnection(milliseconds(0)); },
+      [&] { client_.waitForConnection(std::chrono::hours(1) + milliseconds(1)); },
   };
   for (std::size_t i = 0; i < std::size(calls); ++i) {
     EXPECT_THROW(calls[i](), InvalidArgumentException) << "row " << i;

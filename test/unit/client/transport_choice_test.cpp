@@ -78,7 +78,7 @@ TEST_F(TransportChoiceTest, WhereNoTestComesNoPictureIsLostAndTheReasonIsTold) {
   EXPECT_EQ("", ways_);
   EXPECT_EQ(1, logged("info robot:54321 sends its pictures by TCP, not by UDP"));
   lets_through_ = true;
-  watch(seconds(10));
+  watch(seconds(2));
   EXPECT_EQ("U", ways_);
   EXPECT_EQ("", connection_.status.transport_problem);
   EXPECT_EQ(picture_, pictures_.size()) << "the change loses and doubles nothing";
@@ -90,7 +90,9 @@ TEST_F(TransportChoiceTest, UdpIsUsedAfterOneTestAndTriedAgainAfterDatagramsHave
   EXPECT_EQ("U", ways_);
   EXPECT_EQ(1, tests_);
   lets_through_ = false;
-  watch(milliseconds(1500));
+  watch(milliseconds(950));
+  EXPECT_EQ("U", ways_);
+  watch(milliseconds(550));
   EXPECT_EQ("UT", ways_);
   EXPECT_THAT(connection_.status.transport_problem, testing::HasSubstr("no datagram has come for 1 s"));
   lets_through_ = true;

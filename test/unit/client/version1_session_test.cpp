@@ -208,7 +208,7 @@ TEST_F(Version1SessionTest, EachValueIsReportedInItsUnitWithTheTimeOfItsFirstByt
 }
 
 TEST_F(Version1SessionTest, LedsAreSetOneByOne) {
-  commandLeds({{7, 255}, {8, 0, LedMode::kB}});
+  commandLeds({{7, 255, LedMode::kB}, {8, 0}});
   EXPECT_EQ("L7=255", command());
   EXPECT_EQ("", command());
   commandLeds({{8, 10}});
@@ -344,6 +344,13 @@ TEST_F(SilentServerTest, IsConnectedWhenTheStreamThatIsWantedComes) {
   EXPECT_EQ(1u, pictures_.size());
 }
 
+TEST_F(Version1SessionTest, AServerThatAgreesToVersion2TooLateIsGivenUp) {
+  Version1Session session(connection_, VersionAnswer::kNone, now_);
+  const Bytes late = {'x', 2, 0, 0};
+  EXPECT_EQ("robot:54321 did not answer the request for version 2 of the protocol within 500 ms",
+            whyGivenUp([&] { session.bytesArrived(late.data(), late.size(), now_); }));
+}
+
 TEST_F(Version1SessionTest, TheOrderAndTheJointAreNamed) {
   commandJoints({{2, 0.5}});
   limitSpeed({{3, 0.5}});
@@ -372,11 +379,12 @@ TEST_F(Version1SessionTest, AnOrderEndsOnceAndNothingSaysHow) {
   const std::string late = "too old: it could not be sent to robot:54321 in time";
   const auto refusal = [&](int joint) { return Refusal{Kind::kJoints, RefusalCause::kRobot, {joint}, why, 0}; };
   const struct {
-    std::string answers;  // to joints 1 and 2: + accepted, - refused, s: stopped before it is sent, o: too old
+    std::string answers;  // to joints 1 and 2: + accepted, - refused, s: stopped before it is sent, o: too old, l: late
     std::vector<EndedHow> ends;
     std::vector<Refusal> refusals;
   } rows[] = {
       {"++", {EndedHow::kUnknown}, {}},
+      {"ll", {EndedHow::kUnknown}, {}},
       {"+-", {EndedHow::kRefused}, {refusal(2)}},
       {"-+", {EndedHow::kRefused}, {refusal(1)}},
       {"--", {EndedHow::kRefused}, {refusal(1), refusal(2)}},
@@ -394,12 +402,14 @@ TEST_F(Version1SessionTest, AnOrderEndsOnceAndNothingSaysHow) {
         robot.connection_.commands.stopJoints({}, "a stop");
       } else if (answer == 'o') {
         robot.now_ += milliseconds(501);
+      } else if (answer == 'l') {  // the second one is later than an order may be, but not than a further joint
+        robot.now_ += milliseconds(400);
       }
-      const bool is_sent = answer == '+' || answer == '-';
+      const bool is_sent = answer == '+' || answer == '-' || answer == 'l';
       EXPECT_EQ(is_sent ? 'J' : ' ', robot.request()) << row.answers;
       EXPECT_TRUE(robot.ended_.empty() || !is_sent) << row.answers;
       if (is_sent) {
-        robot.receive(answer == '+' ? Bytes{'j', joint, 0, 0} : Bytes{'e', 0, 0, 0});
+        robot.receive(answer == '-' ? Bytes{'e', 0, 0, 0} : Bytes{'j', joint, 0, 0});
       }
     }
     EXPECT_EQ(' ', robot.request());

@@ -144,6 +144,8 @@ TEST_F(Version2SessionTest, PicturesHaveTheirNumbersAndTwoThatCameTogetherAre1Ns
   EXPECT_EQ(4711u, pictures_[0]->frame_number);
   EXPECT_EQ(version2_frames::kImageCount, pictures_[0]->image_count);
   EXPECT_EQ(208, pictures_[0]->width);
+  EXPECT_EQ(85, pictures_[0]->quality);
+  EXPECT_EQ(3u, pictures_[0]->connection_number);
   EXPECT_EQ(now_, pictures_[0]->first_byte_time);
   EXPECT_EQ(now_ + std::chrono::nanoseconds(1), pictures_[1]->first_byte_time);
 }
@@ -155,6 +157,7 @@ TEST_F(Version2SessionTest, PicturesOfAStoppedStreamAreDroppedAndAFaultIfTheyDoN
   answer(frame_.payload);
   pushPicture(1);
   EXPECT_THAT(pictures_, IsEmpty());
+  EXPECT_EQ(1u, counters_.unexpected_pictures);
   live(milliseconds(1100));
   EXPECT_THAT(whyGivenUp([this] { pushPicture(2); }), HasSubstr("it sends pictures although it was told to stop"));
 }
@@ -544,6 +547,15 @@ TEST_F(Version2SessionTest, AVelocityBelongsToTheWalkThatTheRobotNames) {
   EXPECT_EQ(last_order_, end(version2::END_FELL, brief)) << "it begins a walk that ends at once";
   steered(0);
   expectRefusals({});
+}
+
+TEST_F(Version2SessionTest, ACallEndsWithATimeoutIfTheConnectionIsGivenUpAsSilent) {
+  auto motion = add(callToPlay("NOD.MTN"));
+  EXPECT_EQ("P", requests());
+  connection_.calls.failAll("it was silent", FaultKind::kSilent);
+  const Answer answer = motion.get();
+  EXPECT_EQ(CallOutcome::kTimeout, answer.outcome);
+  EXPECT_TRUE(answer.was_sent);
 }
 
 TEST_F(Version2SessionTest, OnlyAStopIsSentBeforeZeros) {
