@@ -26,8 +26,10 @@ class FollowBall : public ::testing::Test {
   static constexpr bool kWalks = true;
 
   void start(bool walks) {
-    node_ = std::make_unique<Process>(
-        std::vector<std::string>{AIBO_FOLLOW_BALL, "__ns:=/follows", walks ? "_walk:=true" : "_walk:=false"});
+    ros::param::del("/follows/aibo_follow_ball");  // without the parameter, it does not walk
+    std::vector<std::string> command{AIBO_FOLLOW_BALL, "__ns:=/follows"};
+    command.insert(command.end(), walks ? 1 : 0, "_walk:=true");
+    node_ = std::make_unique<Process>(command);
   }
 
   bool follows() {
@@ -88,6 +90,7 @@ TEST_F(FollowBall, WalksToTheBallAndAroundItAndLooksForItWhereItWasLast) {
   EXPECT_TRUE(steers(0, 0, -0.4)) << "gone to the right";
   driver_.showBall(37, 30);
   EXPECT_TRUE(steers(-0.05, -0.04, 0)) << "too near";
+  EXPECT_EQ(points_.count(), 0U) << "its head keeps still";
 }
 
 TEST_F(FollowBall, TurnsTheHeadToTheBallUnlessItIsInTheMiddle) {
@@ -191,10 +194,13 @@ TEST(LookAt, SaysWhyTheHeadDoesNotTurn) {
 }
 
 TEST(Monitor, WithoutADriverEndsAfterItsTimeAndSaysThatNoPictureCame) {
-  Process monitor({AIBO_MONITOR, "__ns:=/nobody", "_first_picture_timeout:=1"});
-  EXPECT_EQ(monitor.waitForExit(kSafetyNet), 1);
-  EXPECT_THAT(monitor.output(), testing::HasSubstr("no driver in namespace /nobody"));
-  EXPECT_THAT(monitor.output(), testing::HasSubstr("no picture came within 1 s"));
+  for (const char* parameter : {"_first_picture_timeout:=1", "_seconds:=1"}) {
+    ros::param::del("/nobody");
+    Process monitor({AIBO_MONITOR, "__ns:=/nobody", parameter});
+    EXPECT_EQ(monitor.waitForExit(kSafetyNet), 1);
+    EXPECT_THAT(monitor.output(), testing::HasSubstr("no driver in namespace /nobody"));
+    EXPECT_THAT(monitor.output(), testing::HasSubstr("no picture came within 1 s"));
+  }
 }
 
 TEST(Monitor, SaysWhyNoPicturesComeAndWhoHasStoppedTheRobot) {

@@ -43,7 +43,7 @@ class KeyboardTest : public ::testing::Test {
 TEST_F(KeyboardTest, WalksWhileAKeyIsHeldDownAndThenStops) {
   TopicListener<Twist> commands("/keys/cmd_vel");
   Process teleop(command("__ns:=/keys _speed:=0.2"));
-  teleop.waitForOutput("speeds: 0.200 m/s");
+  teleop.waitForOutput("speeds: 0\\.200 m/s, sideways 0\\.050 m/s, turn 0\\.50 rad/s");
   EXPECT_THAT(teleop.output(), testing::HasSubstr("Hold a key down to walk:\n"));
   EXPECT_EQ(commands.count(), 0u) << "others may steer while no key is pressed";
   keys_.type("i");
@@ -102,7 +102,10 @@ TEST_F(KeyboardTest, SaysWhoHasStoppedTheRobotAndReleasesIt) {
 TEST(Keyboard, SaysWhyItCannotStart) {
   const std::map<std::string, std::string> no_master{{"ROS_MASTER_URI", "http://127.0.0.1:1"}};
   const std::tuple<std::string, std::map<std::string, std::string>, const char*> rows[] = {
-      {"__ns:=/wrong_speed _speed:=-0.1", {}, "/speed is -0.1.*; it must be a number, 0\\.\\."},
+      {"__ns:=/wrong_speed _speed:=-0.1", {}, "/speed is -0.1.*; it must be a number, 0\\.\\.1\\."},
+      {"__ns:=/wrong_side _side_speed:=1.1", {}, "/side_speed is 1.1.*; it must be a number, 0\\.\\.1\\."},
+      {"__ns:=/wrong_turn _turn_speed:=10.1", {}, "/turn_speed is 10.1.*; it must be a number, 0\\.\\.10\\."},
+      {"__ns:=/wrong_timeout _key_timeout:=60.1", {}, "/key_timeout is 60.1.*; it must be a number, 0\\.\\.60\\."},
       {"< /dev/null", {}, "Start it in a terminal of its own"},
       {"", no_master, "no ROS master at http://127.0.0.1:1"},
   };
@@ -281,6 +284,8 @@ TEST(GamepadTest, SaysWhichOfItsParametersIsWrong) {
       {"_postures/fly:=2", "the postures are stand, sit and rest"},
       {"_picture_button:=4", "Button 4 is dead_man_button and picture_button; each needs its own, or -1"},
       {"_motions:=2", "motions should have a button for each name"},
+      {"_head_speed:=10.1", "head_speed is 10.1.*; it must be a number, 0\\.\\.10\\."},
+      {"_dead_zone:=0.91", "dead_zone is 0.91.*; it must be a number, 0\\.\\.0\\.9\\."},
   };
   for (const auto& [parameter, complaint] : rows) {
     Process node({AIBO_TELEOP_JOY, "__ns:=/wrong_joystick", parameter});
