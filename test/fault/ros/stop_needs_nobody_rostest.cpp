@@ -1,11 +1,13 @@
 // A stop does not depend on the ROS master or on free descriptors, and outlives the driver.
 
 #include <aibo_driver/RobotState.h>
+#include <geometry_msgs/Twist.h>
 #include <gmock/gmock.h>
 #include <ros/network.h>
 #include <ros/ros.h>
 #include <sensor_msgs/JointState.h>
 #include <std_srvs/Trigger.h>
+#include <trajectory_msgs/JointTrajectory.h>
 
 #include <algorithm>
 #include <chrono>
@@ -87,6 +89,18 @@ TEST(Stop, NeedsNoMaster) {
   state.waitForOutput("posture: 1\nstopped: True\nstopped_by: \"/alone/aibo_teleop_keyboard\"");
   master.kill();
   EXPECT_TRUE(stops()) << "without a master: " << keyboard.output();
+}
+
+TEST(Stop, IsAlsoAVelocityOf0AndATrajectoryWithoutPoints) {
+  TopicListener<geometry_msgs::Twist> velocities("/twofold/cmd_vel");
+  TopicListener<trajectory_msgs::JointTrajectory> trajectories("/twofold/joint_trajectory");
+  StopClient client(ros::NodeHandle("/twofold"));
+  EXPECT_TRUE(eventually([&] {  // the first ones may be sent before anybody listens
+    client.stop([](const Trigger::Response*) {});
+    return velocities.count() > 0 && trajectories.count() > 0;
+  }));
+  EXPECT_EQ(*velocities.waitForFirst(), geometry_msgs::Twist());
+  EXPECT_THAT(trajectories.waitForFirst()->points, ::testing::IsEmpty());
 }
 
 /// A driver, and a client that has a connection to its service `stop`.
@@ -196,6 +210,8 @@ class OutlivedStop : public ::testing::Test {
 TEST_F(OutlivedStop, LastsAlsoInTheNextDriverUntilRelease) {
   ASSERT_TRUE(waitFor(false));
   call("stop");
+  EXPECT_TRUE(eventually(remembers));
+  ros::param::del("/outlived/stopped_by");  // a master that was restarted does not know it
   EXPECT_TRUE(eventually(remembers));
   driver_->kill();
   restart();
