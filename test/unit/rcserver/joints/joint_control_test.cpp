@@ -264,6 +264,7 @@ TEST(JointNumbers, AreThoseOfTheDocument) {
   EXPECT_NEAR(Walker::POSTURE_SPEED, 45 * degree, 1);
   EXPECT_NEAR(Walker::UNLOADED_SPEED, 90 * degree, 1);
   EXPECT_EQ(int{Walker::STEERING_FRAMES}, 63) << "500 ms";
+  EXPECT_EQ(int{Walker::ATTEMPTS}, 6);
   EXPECT_NEAR(PlayedMotion::APPROACH_SPEED, 90 * degree, 1);
   EXPECT_NEAR(JointWatch::TOLERANCE, 10 * degree, 1);
   EXPECT_NEAR(JointWatch::MOVEMENT, degree, 1);

@@ -147,11 +147,12 @@ TEST_F(AMotion, TakesLongerIfAStepIsTooFast) {
 }
 
 TEST_F(AMotion, IsRefusedWhileAnotherMovesItsJoint) {
-  const std::string head = motionBytes("at 0 tail_pan 0 head_pan 0\nat 1600 head_pan 40\n");
+  const std::string head = motionBytes("at 0 tail_pan 0 left_ear 0 head_pan 0\nat 1600 head_pan 40\n");
   ASSERT_EQ(play("A.MTN", head), "");
   EXPECT_THAT(play("B.MTN", motionBytes("at 0 mouth -10 head_pan 5\n")),
               StrEq("A.MTN is being played and moves head_pan, too; stop it first"));
   EXPECT_THAT(play("A.MTN", head), HasSubstr("A.MTN is being played"));
+  EXPECT_EQ(play("C.MTN", motionBytes("at 0 mouth -10 left_ear 0\n")), "") << "an ear may be in several";
   pathOf("head_pan");
   EXPECT_EQ(play("B.MTN", motionBytes("at 0 head_pan 5\n")), "") << "it is over now";
 }
@@ -167,6 +168,7 @@ TEST_F(AMotion, IsOneOfFourAtOnceAtMost) {
   }
   player_->EndRepetitions();
   EXPECT_LT(pathOf("head_pan").size(), 300U);
+  EXPECT_NEAR(at("head_pan"), 20, 1e-4) << "at the end of its repetition";
   EXPECT_NE(player_->FindRoom(), nullptr);
 }
 
