@@ -65,6 +65,15 @@ TEST_F(Version2Test, BytesAfterTheRequestForVersion2BelongToIt) {
   }
 }
 
+TEST_F(Version2Test, TheNextClientGetsNothingOfTheLastOne) {
+  connectBehindAPicture();
+  send(frame('T', 0, 1, payloadOf(TelemetryPeriod{4})) + frame('H', 0, 2) + frame('H', 0, 3).substr(0, 5));
+  reconnect();
+  passFrames(12);
+  EXPECT_THAT(heard(), IsEmpty());
+  EXPECT_EQ(answerTo('H', 0).header.kind, 'h') << "the beginning of a request is forgotten";
+}
+
 TEST_F(Version2Test, HelloHasTheRobotTheTimeAndItsLimits) {
   const Hello said = hello();
   EXPECT_STREQ(said.robot, "ERS-7");
@@ -81,6 +90,7 @@ TEST_F(Version2Test, HelloHasTheRobotTheTimeAndItsLimits) {
   EXPECT_DOUBLE_EQ(said.walk.back, 0.15);
   EXPECT_DOUBLE_EQ(said.walk.left, 0.08);
   EXPECT_DOUBLE_EQ(said.walk.turn, 1.5);
+  EXPECT_EQ(answerTo('H', 0, "abc").header.kind, 'h') << "a payload is ignored";
 }
 
 TEST_F(Version2Test, ClientSilentForFiveSecondsIsDroppedAndItsJointsHold) {
@@ -186,6 +196,11 @@ TEST_F(Version2Test, StreamHasEveryNthImageFromTheAnswerOn) {
     passFrames(3 * FakeRobot::kFramesPerImage);
     EXPECT_EQ(nextPicture().image.image_count, first + 3 * i);
   }
+  answerTo('W', 20, payloadOf(StreamSettings{true, LAYER_LOW, 1}));
+  takeImage();
+  const Picture other = nextPicture();
+  EXPECT_EQ(other.image.quality, 20);
+  EXPECT_EQ(other.image.layer, LAYER_LOW);
   answerTo('W', 85, kStreamOff);
   passFrames(3 * FakeRobot::kFramesPerImage);
   EXPECT_FALSE(client_->nextFrame());
@@ -287,6 +302,11 @@ TEST_F(Version2Test, JointsMovedByHandStayThereWhenTheMotorsGoOn) {
   passFrames(kLongestCommand);
   EXPECT_EQ(positions(), bent);
   EXPECT_THAT(arrived('e'), IsEmpty()) << "that they were elsewhere is no fault";
+  motorsAfter(std::string(1, '\0'));
+  motorsAfter("\1");
+  answerTo('J', 0, order(targetsOf({{kPanId, 300000}})));
+  passFrames(kLongestCommand);
+  EXPECT_EQ(positionOf("head_pan"), 300000) << "a target from before they have power";
 }
 
 TEST_F(Version2Test, MotorsStayAsTheyAreForTheNextClient) {
