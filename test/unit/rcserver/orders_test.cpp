@@ -145,6 +145,9 @@ TEST_F(OrdersTest, AreDoneWithTheirNumbers) {
   passFrames(250);
   EXPECT_THAT(heard(), ElementsAre("i4 0")) << "when it stands";
   EXPECT_THAT(answersTo(6, {'J', 0, order(payloadOf(JointTargets{0, 0, {}}))}), ElementsAre("i6 0", "j6"));
+  beginWalk(7);
+  ask(8, kLetGo);
+  EXPECT_THAT(answersTo(9, kSit), ElementsAre("s8", "i7 0", "e9")) << "or when a posture is asked for";
 }
 
 TEST_F(OrdersTest, ThatAreRefusedEndByTheErrorAloneAndMoveNothing) {
@@ -261,6 +264,28 @@ TEST(FrameClock, NeverGoesBackAndGoesOnWhenNoFrameIsReported) {
       EXPECT_EQ(clock.Present(row.milliseconds), row.present) << name << ", " << row.milliseconds;
     }
   }
+}
+
+TEST(FrameClock, MistrustsWhatComesAfterAPauseOfHalfASecondFor100Milliseconds) {
+  for (const unsigned pause : {499U, 500U}) {
+    FrameClock clock;
+    clock.Report(100, 1000);
+    clock.Present(1000 + pause);
+    EXPECT_EQ(clock.MayHaveWaited(), pause == 500);
+    clock.Present(1000 + pause + 99);
+    EXPECT_EQ(clock.MayHaveWaited(), pause == 500);
+    clock.Present(1000 + pause + 100);
+    EXPECT_FALSE(clock.MayHaveWaited());
+  }
+}
+
+TEST_F(OrdersTest, ToWalkThatAreTooOldDoNotSteer) {
+  beginWalk(1);
+  for (int passed = 0; passed < 72; passed += 12) {
+    EXPECT_THAT(answersTo(2, {'S', 0, order(velocity(100), 1)}), ElementsAre(StartsWith("e2 5 too old")));
+    passFrames(12);
+  }
+  EXPECT_EQ(walkAfter(3, kWalk), 3) << "the walk was ending";
 }
 
 TEST_F(OrdersTest, AreRefusedWhenTheyAreTooOldButForThoseThatStop) {
