@@ -167,7 +167,7 @@ TEST(JoyMappingTest, NeedNotNameEveryPart) {
   const JoyOrders orders = joy.read({0, 1}, {1, 1, 1, 1, 1});
   EXPECT_DOUBLE_EQ(orders.walk->forward, 0.1);
   EXPECT_EQ(orders.walk->left, 0);
-  EXPECT_FALSE(orders.head || orders.stop || orders.take_picture);
+  EXPECT_FALSE(orders.head || orders.stop || orders.take_picture || orders.release);
 }
 
 }  // namespace
