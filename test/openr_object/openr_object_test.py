@@ -97,9 +97,11 @@ class OpenrObjectTest(unittest.TestCase):
         (folder / "include" / "Depth.h").write_text("const int DEPTH = 1;\n")
         (folder / "Nodder" / "Makefile").write_text("CXXFLAGS = -O2 -I. -I../include -I$(OPENRSDK_ROOT)/include\n")
         (folder / "Nodder" / "Extra.cc").write_text(
-            '#include <Depth.h>\nvoid extra() { list<int> all(DEPTH, stricmp("A", "a")); cout << all.front() << endl; }\n')
-        subprocess.run([str(SCRIPT), "--build", str(folder)], env={**os.environ, "OPENR_WORK": str(self.work / "work")},
-                       stdout=subprocess.DEVNULL, timeout=LIMIT, check=True)
+            '#include <Depth.h>\nvoid extra() { list<int> a(DEPTH + OUR, stricmp("A", "a")); cout << a.size() << endl; }\n')
+        options = {"CXXFLAGS": "-DOUR=1", "LIBS": "-Wl,-soname,from_libs"}
+        subprocess.run([str(SCRIPT), "--build", str(folder)], stdout=subprocess.DEVNULL, timeout=LIMIT, check=True,
+                       env={**os.environ, **options, "OPENR_WORK": str(self.work / "work")})
+        self.assertIn(b"from_libs", (self.work / "work/source/MS/OPEN-R/MW/OBJS/NODDER.BIN").read_bytes())
 
     def test_an_object_that_does_not_return_can_be_ended(self):
         nodder = self.work / "source" / "Nodder" / "Nodder.cc"
@@ -140,6 +142,12 @@ class OpenrObjectTest(unittest.TestCase):
             output = self.fail_to_run(broken)
             self.assertIn("NODDER.BIN cannot be built", output)
             self.assertIs("If the header is Sony's" in output, is_about_headers)
+        self.assertIn("MINE.BIN cannot be built", self.fail_to_run(broken, f"MINE.BIN={broken / 'Nodder'}"))
+        stub = broken / "Nodder" / "stub.cfg"
+        stub.write_text(stub.read_text().replace("Nodder", "NodderOfHeads", 1))
+        self.assertIn("NODDEROF.BIN cannot be built", self.fail_to_run(broken))
+        (broken / "Nodder" / "Makefile").write_text("install:\n\tcp nod.bin ../MS/OPEN-R/MW/OBJS/NODDING.BIN\n")
+        self.assertIn("NODDING.BIN cannot be built", self.fail_to_run(broken))
         (broken / "Nodder" / "stub.cfg").unlink()
         self.assertIn("there is no object in", self.fail_to_run(broken))
 
