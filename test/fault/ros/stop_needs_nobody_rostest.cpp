@@ -95,7 +95,7 @@ TEST(Stop, IsAlsoAVelocityOf0AndATrajectoryWithoutPoints) {
   TopicListener<geometry_msgs::Twist> velocities("/twofold/cmd_vel");
   TopicListener<trajectory_msgs::JointTrajectory> trajectories("/twofold/joint_trajectory");
   StopClient client(ros::NodeHandle("/twofold"));
-  EXPECT_TRUE(eventually([&] {  // the first ones may be sent before anybody listens
+  ASSERT_TRUE(eventually([&] {  // the first ones may be sent before anybody listens
     client.stop([](const Trigger::Response*) {});
     return velocities.count() > 0 && trajectories.count() > 0;
   }));
