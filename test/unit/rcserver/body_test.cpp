@@ -70,6 +70,14 @@ TEST_F(BodyTest, APartThatDoesNotOpenIsNamedAndTheOthersWork) {
     EXPECT_GT(robot_.leds.back().intensity, 0);
     EXPECT_GT(framesDrawn(kRightEar), 0);
   }
+  robot_.missing_locator = "PRM:/p1-Sensor:p1";
+  start();
+  reconnect();
+  answerTo('T', 0, payloadOf(TelemetryPeriod{4}));
+  passFrames(8);
+  const std::map<int, int> told = valuesIn(nextPush(TELEMETRY_PUSH), GROUP_SENSOR);
+  EXPECT_EQ(told.count(55), 0U) << "it has not measured anything";
+  EXPECT_EQ(told.count(kRangeNear), 1U);
 }
 
 TEST_F(BodyTest, TheBlockHoldsWhatIsIncludedByAscendingIdentifier) {
@@ -128,7 +136,7 @@ TEST_F(BodyTest, AllLedsAndTheFaceWithAMode) {
       {request('Y', 1, 60), 60, oled3_MODE_A, true},       {request('Y', 1, 0), 0, oled3_MODE_A, true},
   };
   for (const auto& row : rows) {
-    answerTo(row.bytes);
+    expectAnswer(row.bytes, static_cast<char>(std::tolower(row.bytes[0])), row.bytes[1], row.face);
     passFrames(kUntilMeasured);
     EXPECT_EQ(robot_.led("face_1").intensity, row.face);
     EXPECT_EQ(robot_.led("face_1").mode, row.mode);
@@ -150,8 +158,13 @@ TEST_F(BodyTest, LedsGoOffAndEarsAreLetGoWhenTheClientGoes) {
 
 TEST_F(BodyTest, EarIsDrawnForItsTimeAndLetGo) {
   expectAnswer(request('K', kRightEar, 1), 'k', kRightEar, 1);
-  passFrames(100);
+  passFrames(20);
+  expectAnswer(request('K', kRightEar, 1), 'k', kRightEar, 0);  // it rests
+  passFrames(16);
   EXPECT_EQ(framesDrawn(kRightEar), 16) << "128 ms";
+  expectAnswer(request('K', kRightEar, 1), 'k', kRightEar, 1);
+  passFrames(100);
+  EXPECT_EQ(framesDrawn(kRightEar), 2 * 16);
   EXPECT_EQ(framesDrawn(kLeftEar), 0);
   EXPECT_FALSE(robot_.ears[1].drawn);
 }
