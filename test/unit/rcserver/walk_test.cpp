@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "protocol/color_requests.h"
 #include "rcserver_fixture.h"
 #include "simulator/ers7/simulated_ers7.h"
 
@@ -15,8 +16,8 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using Velocity = protocol::version2::Velocity;
 
-std::string steering(int forward, int turn = 0) {
-  return payloadOf(SteeringOrder{NEVER_TOO_OLD, {forward * 1e-3, 0, turn * 1e-3}});
+std::string steering(int forward, int turn = 0, int left = 0) {
+  return payloadOf(SteeringOrder{NEVER_TOO_OLD, {forward * 1e-3, left * 1e-3, turn * 1e-3}});
 }
 
 class WalkTest : public Version2Fixture {
@@ -30,9 +31,9 @@ class WalkTest : public Version2Fixture {
   void letGo() { answerTo('S', 0, steering(0)); }
 
   // Steers as a client does.
-  void steer(int forward, unsigned frames, int turn = 0) {
+  void steer(int forward, unsigned frames, int turn = 0, int left = 0) {
     for (unsigned passed = 0; passed < frames; passed += 12) {
-      send(frame('S', 0, 900, steering(forward, turn)));
+      send(frame('S', 0, 900, steering(forward, turn, left)));
       pass(std::min(12U, frames - passed));
     }
   }
@@ -67,6 +68,7 @@ TEST_F(WalkTest, TelemetryTellsHowItWalks) {
   pass(20);
   EXPECT_EQ(walkInTelemetry()[WALK_STATE], WALK_STATE_NONE);
   EXPECT_EQ(walkInTelemetry()[WALK_FORWARD], 0);
+  EXPECT_EQ(walkInTelemetry()[WALK_PHASE], 0);
   steer(100, 20);
   EXPECT_EQ(walkInTelemetry()[WALK_STATE], WALK_STATE_GETS_READY);
   steer(50, 500, 200);
@@ -78,6 +80,8 @@ TEST_F(WalkTest, TelemetryTellsHowItWalks) {
   EXPECT_LT(phase, 1000000);
   steer(50, 12);
   EXPECT_NE(walkInTelemetry()[WALK_PHASE], phase);
+  steer(0, 500, 0, 30);
+  EXPECT_NEAR(walkInTelemetry()[WALK_LEFT], 30000, 2000);
 }
 
 TEST_F(WalkTest, AfterARestTheRobotStandsAndSitsWithItsMotorsOnAgain) {
@@ -123,11 +127,11 @@ TEST_F(WalkTest, TellsItsMotorsAndItsPostureFromTheFirstMeasurementOn) {
 TEST_F(WalkTest, WhatWaitedInVersion1WhileTheServerWasHeldUpMovesNothing) {
   disconnect();
   client_ = connectServed();
-  for (const int joint : {2, 0}) {  // one of them, and all
-    client_->send(request('J', joint, 1000));
+  for (const std::string& bytes : {request('J', 2, 1000), request('J', 0, 1000), fileRequest('P', "WAG.MTN", 1)}) {
+    client_->send(bytes);
     clock_.step(100);
     machine_->runPending();
-    EXPECT_EQ(awaitLetter(*client_), 'e');
+    EXPECT_EQ(awaitLetter(*client_), 'e') << bytes;
   }
   passFrames(20);
   expectAnswer(request('J', 2, 1000), 'j', 2, 1000);
@@ -149,18 +153,27 @@ TEST_F(WalkTest, AFallIsSaidAloudAndTheLegsGoSoftAfterASecond) {
 }
 
 TEST_F(WalkTest, ThePauseButtonDoesSoTooAndCutsTheMotorsWhenItIsPressedAgain) {
-  walk();
-  robot_.power_status.robotStatus = orsbPAUSE;
-  passFrames(kFramesASecond / 2);
-  EXPECT_FALSE(isLimp());
-  robot_.power_status.robotStatus = 0;
-  passFrames(kFramesASecond);
-  ASSERT_TRUE(machine_->isOn());
-  EXPECT_THAT(console_.str(), HasSubstr("the pause button was pressed: the robot lies down"));
-  robot_.power_status.robotStatus = orsbPAUSE;
-  passFrames(1);
-  EXPECT_TRUE(isLimp());
-  EXPECT_FALSE(machine_->isOn());
+  for (const bool walks : {true, false}) {
+    robot_.power_status.robotStatus = 0;
+    SetUp();
+    if (walks) {
+      walk();
+    } else {
+      answerTo('E', POSTURE_SIT, order());
+      pass(20);
+    }
+    robot_.power_status.robotStatus = orsbPAUSE;
+    passFrames(kFramesASecond / 2);
+    EXPECT_FALSE(isLimp()) << walks;
+    robot_.power_status.robotStatus = 0;
+    passFrames(kFramesASecond);
+    ASSERT_TRUE(machine_->isOn()) << walks;
+    EXPECT_THAT(console_.str(), HasSubstr("the pause button was pressed: the robot lies down"));
+    robot_.power_status.robotStatus = orsbPAUSE;
+    passFrames(1);
+    EXPECT_TRUE(isLimp()) << walks;
+    EXPECT_FALSE(machine_->isOn()) << walks;
+  }
 }
 
 TEST_F(WalkTest, AnErs210CannotWalk) {
@@ -173,6 +186,7 @@ TEST_F(WalkTest, AnErs210CannotWalk) {
   expectRefusal(answerTo('E', POSTURE_SIT, order()), CODE_NOT_SUPPORTED, "not supported");
   EXPECT_EQ(std::string(hello().capabilities).find_first_of("SE"), std::string::npos);
   EXPECT_EQ(textOf(answerTo('H', 0)).find("walk_limits"), std::string::npos);
+  EXPECT_EQ(answerTo('Z', COLORS_TABLE, payloadOf(ColorTable{7, {}})).header.kind, 'z') << "an ERS-7 lacks channel 7";
   EXPECT_EQ(answerTo('T', TELEMETRY_PLAIN, std::string("\0\4", 2)).header.id, TELEMETRY_PLAIN);
   machine_.reset();
 }
