@@ -10,10 +10,12 @@
 #include <std_srvs/Trigger.h>
 
 #include "ros/diagnostics_listener.h"
+#include "support/memory_stick.h"
 #include "support/picture_server.h"
 #include "support/proxy/fault_proxy.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/topics.h"
+#include "support/scripted_server.h"
 #include "support/simulated_robot.h"
 #include "support/test_pictures.h"
 #include "support/version2_frames.h"
@@ -61,7 +63,8 @@ class Watch {
 
 TEST(Diagnostics, AreOkInEachBranchOfTheTreeWhileTheRobotIsWell) {
   TopicListener<diagnostic_msgs::DiagnosticArray> tree("/diagnostics_agg");
-  SimulatedRobot robot;
+  const test_support::MemoryStick stick("ALLOW_MICROPHONE=yes\n");
+  SimulatedRobot robot({"--memory-stick", stick.path().string()});
   DriverProcess driver("/tree", robot.port(), {kStreams, "_jpeg_quality:=40", "_frame_rate:=15", "_read_timeout:=20"});
   for (const char* const name :
        {"Connection/tree aibo_driver: connection", "Camera/tree aibo_driver: stream", "Joints/tree aibo_driver: joints",
@@ -79,6 +82,15 @@ TEST(Diagnostics, AreOkInEachBranchOfTheTreeWhileTheRobotIsWell) {
                                 DiagnosticsListener::value(stream, "KB per second") + " KB/s");
   EXPECT_EQ(numberIn(stream, "quality asked for"), 40);
   EXPECT_EQ(numberIn(stream, "pictures per second asked for"), 15);
+  const TopicListener<aibo_driver::Sound> listener("/tree/microphone");
+  watch.waitFor("sound", DiagnosticStatus::OK, "listening");
+}
+
+TEST(Diagnostics, DuringTheFirstAttemptToConnectNothingHasGoneWrong) {
+  Watch watch("attempt");
+  const test_support::ScriptedServer silent;
+  const DriverProcess driver("/attempt", silent.port(), {"_connect_timeout:=60"});
+  watch.waitFor("connection", DiagnosticStatus::WARN, "connecting to");
 }
 
 TEST(Diagnostics, WithoutARobotSayWhatIsMissingAndWhatIsIdle) {
@@ -118,6 +130,7 @@ TEST(StreamDiagnostics, ReportDamageOnceAndAreOkAgainAfterwards) {
   DriverProcess driver("/damage", server.port(), kWithoutRobotTime);
   Watch watch("damage");
   TopicListener<sensor_msgs::Image> viewer("/damage/camera/image_raw");
+  watch.waitFor("joints", DiagnosticStatus::WARN, "the robot sends no joint positions");
   watch.waitFor("stream", DiagnosticStatus::OK, "pictures/s");
   for (const auto& [spoil, count] : {std::pair(&cut, "pictures damaged"), {&cutBeforeItsEnd, "images not decodable"}}) {
     const Bytes damaged = version2_frames::makePicture(spoil(test_pictures::makeNumbered(1)), 1);
@@ -148,12 +161,13 @@ TEST(StreamDiagnostics, WarnOfDataThatComesLate) {
                        {kStreams, "_read_timeout:=20", "_telemetry_rate:=0", test_support::kByTcp});
   Watch watch("late");
   watch.waitFor("joints", DiagnosticStatus::OK, "idle: telemetry_rate is 0");
+  watch.waitFor("power", DiagnosticStatus::OK, "idle");
   watch.waitFor("stream", DiagnosticStatus::OK, "pictures/s");
   test_support::Conditions detour;
-  detour.delay = 600ms;
+  detour.delay = 400ms;
   proxy.setConditions(detour);
   const auto late = watch.waitFor("stream", DiagnosticStatus::WARN, "ms late on average");
-  EXPECT_GT(numberIn(late, "delay beyond the shortest, longest ms"), 400);
+  EXPECT_GT(numberIn(late, "delay beyond the shortest, longest ms"), 250);
 }
 
 TEST(JointDiagnostics, AreAnErrorUntilAJointThatWasJammedFollowsAgain) {
@@ -176,8 +190,10 @@ TEST(JointDiagnostics, AreAnErrorUntilAJointThatWasJammedFollowsAgain) {
 
 TEST(JointDiagnostics, AreAnErrorForARobotOfAnotherKind) {
   const SimulatedRobot robot;
-  const DriverProcess driver("/wrong", robot.port(), {"_robot:=ERS-210"});
+  DriverProcess driver("/wrong", robot.port(), {"_robot:=ERS-210"});
   Watch("wrong").waitFor("joints", DiagnosticStatus::ERROR, "the robot says that it is an ERS-7");
+  EXPECT_NO_THROW(driver.waitForOutput("There is no model .URDF. of the ERS-210"));
+  EXPECT_NO_THROW(driver.waitForOutput("The robot says that it is an ERS-7, .*: commands are refused"));
 }
 
 TEST(JointDiagnostics, WarnOfARobotThatIsStoppedOrLimp) {
@@ -185,6 +201,7 @@ TEST(JointDiagnostics, WarnOfARobotThatIsStoppedOrLimp) {
   const SimulatedRobot robot;
   const DriverProcess driver("/warned", robot.port());
   watch.waitFor("joints", DiagnosticStatus::OK, "measurements/s");
+  watch.waitFor("stream", DiagnosticStatus::OK, "idle: no camera topic has a subscriber");
   const auto call = [](const char* service) {
     std_srvs::Trigger trigger;
     EXPECT_TRUE(ros::service::call(std::string("/warned/") + service, trigger));

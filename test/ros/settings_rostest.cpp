@@ -9,6 +9,7 @@
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/CompressedImage.h>
 
+#include "ros/diagnostics_listener.h"
 #include "ros/driver_user.h"
 #include "support/ros/joints.h"
 
@@ -16,6 +17,7 @@ namespace {
 
 using aibo_driver::CameraState;
 using dynamic_reconfigure::Config;
+using test_support::DiagnosticsListener;
 using test_support::positionOf;
 using test_support::TopicListener;
 
@@ -190,9 +192,11 @@ TEST(Settings, WithoutGuardTheRobotWalksBackWhereItCannotSee) {
   }));
 }
 
-TEST(Settings, OfTheCameraAreSeenInItsState) {
+TEST(Settings, OfTheCameraAreSeenInItsStateAndAdaptiveInTheDiagnostics) {
   TopicListener<CameraState> states("/settings_camera/camera/state");
-  SettingsUser user("/settings_camera", {"_gain:=2", "_shutter_speed:=2", test_support::kStreams});
+  DiagnosticsListener diagnostics;
+  SettingsUser user("/settings_camera",
+                    {"_gain:=2", "_shutter_speed:=2", "_auto_white_balance:=false", test_support::kStreams});
   ASSERT_TRUE(states.waitFor([](const auto& state) { return state.gain == CameraState::GAIN_MID; }));
   user.set(change(&Config::ints, "gain", int(CameraState::GAIN_HIGH)));
   user.set(change(&Config::ints, "white_balance", int(CameraState::WB_OUTDOOR_MODE)));
@@ -201,6 +205,20 @@ TEST(Settings, OfTheCameraAreSeenInItsState) {
     return state.gain == CameraState::GAIN_HIGH && state.shutter_speed == CameraState::SHUTTER_MID &&
            state.white_balance == CameraState::WB_OUTDOOR_MODE && state.auto_exposure && !state.auto_white_balance;
   }));
+  user.set(change(&Config::ints, "shutter_speed", int(CameraState::SHUTTER_SLOW)));
+  user.set(change(&Config::bools, "auto_white_balance", true));
+  EXPECT_TRUE(states.waitFor(
+      [](const auto& state) { return state.shutter_speed == CameraState::SHUTTER_SLOW && state.auto_white_balance; }));
+  for (const bool is_on : {true, false}) {
+    user.set(change(&Config::bools, "adaptive", is_on));
+    EXPECT_NE(diagnostics
+                  .waitFor("settings_camera/aibo_driver: stream",
+                           [is_on](const auto& status) {
+                             return (DiagnosticsListener::value(status, "adaptive") != "off") == is_on;
+                           })
+                  .name,
+              "");
+  }
 }
 
 }  // namespace
