@@ -56,6 +56,16 @@ TEST_F(PicturesTest, PictureInTheMakingIsDroppedWithItsClient) {
   expectPictureOfImage(own[0], robot_.lastImage() - 1);
 }
 
+TEST_F(PicturesTest, MoreThan256CannotBeOwed) {
+  std::string requests;
+  for (int i = 0; i < 256; ++i) {
+    requests += frame('F', 85, 1000 + i, kLayerHigh);
+  }
+  send(requests);
+  EXPECT_THAT(heard(), testing::IsEmpty());
+  expectRefusal(answerTo('F', 85, kLayerHigh), protocol::version2::CODE_REFUSED, "too many pictures are owed");
+}
+
 // The camera counts its images in 16 bits.
 TEST_F(PicturesTest, CountOfImagesContinuesWhenTheCamerasCountWraps) {
   disconnect();
