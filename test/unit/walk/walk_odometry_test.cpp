@@ -157,17 +157,17 @@ TEST(Odometry, KeepsTheDirectionBetweenMinusPiAndPi) {
 TEST(Odometry, IsAsUncertainAsTheDocumentSaysAfterAMetreAndAfterAQuarterTurn) {
   Odometry straight;
   straight.walk({0.1, 0, 0}, 10);
-  constexpr double kDegree = kPi / 180;
+  constexpr double kOneDegree = kPi / 180;
   EXPECT_NEAR(std::sqrt(straight.covariance()(0, 0)), 0.1, 1e-9);
   EXPECT_NEAR(std::sqrt(straight.covariance()(1, 1)), 0.1, 1e-9);
-  EXPECT_NEAR(std::sqrt(straight.covariance()(2, 2)), 9 * kDegree, 0.5 * kDegree);
+  EXPECT_NEAR(std::sqrt(straight.covariance()(2, 2)), 9 * kOneDegree, 0.5 * kOneDegree);
   Odometry sideways;
   sideways.walk({0, -0.1, 0}, 10);
   EXPECT_NEAR(std::sqrt(sideways.covariance()(0, 0)), 0.1, 1e-9);
   Odometry turning;
   turning.walk({0, 0, -0.5}, kPi);
   EXPECT_NEAR(std::sqrt(turning.covariance()(0, 0)), 0.0125, 1e-3);
-  EXPECT_NEAR(std::sqrt(turning.covariance()(2, 2)), 7 * kDegree, 0.5 * kDegree);
+  EXPECT_NEAR(std::sqrt(turning.covariance()(2, 2)), 7 * kOneDegree, 0.5 * kOneDegree);
 }
 
 TEST(Odometry, ThatHasLostItsWayKeepsItsPlace) {
