@@ -131,17 +131,6 @@ TEST(Settings, OfWhatTheRobotSendsChangeItMeanwhile) {
   user.waitForLog("The resolution '1x1' is not one of 52x40, .* 416x320: it stays at 416x320");
 }
 
-TEST(Settings, WithAdaptivePicturesOlderThanAllowedLowerTheStream) {
-  SettingsUser user("/settings_adaptive", {test_support::kByTcp, test_support::kStreams});
-  Config config = change(&Config::bools, "adaptive", true);
-  config.doubles = change(&Config::doubles, "max_picture_age", 0.25).doubles;
-  user.set(config);
-  test_support::Conditions detour;
-  detour.delay = std::chrono::milliseconds(600);
-  user.proxy.setConditions(detour);
-  user.waitForLog("at most 250 ms are allowed: the stream is lowered to quality");
-}
-
 TEST(Settings, TheTelemetryRateChangesMeanwhileToAPartOfTheRobots) {
   TopicListener<sensor_msgs::JointState> joints("/settings_telemetry/joint_states");
   SettingsUser user("/settings_telemetry", {"_stream_on_start:=false"});
