@@ -147,7 +147,10 @@ TEST_F(RemoteControlRosTest, CommandsTheRobot) {
     slider->setValue(slider->value() == 400 ? 300 : 400);
     return user_.textOf("movement").contains("tail_pan");
   }));
-  user_.find<QAbstractButton>("Add key frame")->click();
+  EXPECT_TRUE(user_.waitFor([this] {  // until all joints have been measured
+    user_.find<QAbstractButton>("Add key frame")->click();
+    return user_.textOf("new_motion").contains("1 key frame");
+  }));
   user_.open("Lights");
   EXPECT_TRUE(user_.waitFor([this] {
     const bool shines = !user_.find<QWidget>("face_3")->styleSheet().isEmpty();
