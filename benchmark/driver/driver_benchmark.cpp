@@ -1,7 +1,8 @@
 // Measures what a driver costs and how long pictures take through it: ours as node and nodelet, a minimal node, an
-// MJPEG reader in Python, and OpenCV. All get the same JPEGs from this process, over 127.0.0.1, at the rate of a camera
-// and as fast as they take them, and publish to a subscriber in this process. Processor time is that of the driver's
-// process alone. Each round measures everything once, so that a busy computer slows all of it down.
+// MJPEG reader in Python, and OpenCV; and what aibo_web costs, which shows the node's pictures in a browser. All get
+// the same JPEGs from this process, over 127.0.0.1, at the rate of a camera and as fast as they take them, and publish
+// to a subscriber in this process. Processor time is that of the driver's process alone. Each round measures everything
+// once, so that a busy computer slows all of it down.
 //
 //   driver_benchmark [--rounds N] [--seconds N]
 //
@@ -26,6 +27,7 @@
 #include <vector>
 
 #include "driver/mjpeg_server.h"
+#include "driver/page_viewer.h"
 #include "figures.h"
 #include "process_cost.h"
 #include "support/picture_server.h"
@@ -142,6 +144,7 @@ class DriverBenchmark {
   void run() {
     for (int round = 0; round < rounds_; ++round) {
       measureAll(camera_, window_, "");
+      measurePage();
       measureIdle();
       measureAll(full_rate_, kFullRateWindow, kAtFullRate);
     }
@@ -205,6 +208,21 @@ class DriverBenchmark {
     }
   }
 
+  // The time is that of aibo_web. The driver has one subscriber, as in the other measurements.
+  void measurePage() {
+    const auto driver = node(camera_.robot)();
+    test_support::Process web({AIBO_WEB, std::string("__ns:=") + kNamespace, "_web_port:=0"});
+    const std::string port = web.waitForOutput("page is at http://127.0.0.1:([0-9]+)").at(1);
+    const driver_benchmark::PageViewer viewer(static_cast<unsigned short>(std::stoi(port)));
+    waitForPictures(viewer, "the page", web);
+    std::this_thread::sleep_for(kLongestWarmUp);
+    const std::uint64_t shown_before = viewer.count();
+    const double processor_before = benchmark_figures::processorSeconds(web.pid());
+    std::this_thread::sleep_for(window_);
+    const double processor = benchmark_figures::processorSeconds(web.pid()) - processor_before;
+    costs_["page"].per_picture.push_back(1e6 * processor / static_cast<double>(viewer.count() - shown_before));
+  }
+
   // Both at once, because little happens and measuring takes longer.
   void measureIdle() {
     const std::vector<std::pair<std::string, Start>> nodes = {{"node, idle", node(camera_.robot, false)},
@@ -262,10 +280,11 @@ class DriverBenchmark {
     }
   }
 
-  static void waitForPictures(const Subscriber& subscriber, const std::string& name,
-                              const test_support::Process& process) {
+  /// @param viewer has a count()
+  template <typename Viewer>
+  static void waitForPictures(const Viewer& viewer, const std::string& name, const test_support::Process& process) {
     const auto end = steady_clock::now() + kSafetyNet;
-    while (subscriber.count() == 0) {
+    while (viewer.count() == 0) {
       if (steady_clock::now() > end) {
         throw std::runtime_error(name + " publishes no pictures; it printed:\n" + process.output());
       }
@@ -279,6 +298,7 @@ class DriverBenchmark {
     printCost("nodelet", "minimal node", {});
     printCost("node, decoded", "OpenCV", atMost(0.8));
     printCost("nodelet, decoded", "OpenCV", {});
+    printCost("page", "minimal node", {});
     print("processor time of node, no subscriber", "us a picture", costs_["node, no subscriber"].per_picture);
     print("processor share of node, idle", "%", costs_["node, idle"].shares,
           {"empty node", costs_["empty node, idle"].shares}, atMost(1.3));
