@@ -65,7 +65,7 @@ class JointsPage : public Page {
   QLineEdit* name_;
   ElidedLabel* motion_text_;
   QPointer<QFileDialog> dialog_;  ///< the dialog to choose a file; null when it is closed
-  QString to_play_;               ///< the motion to play when it has been uploaded; empty if there is none
+  QString to_play_;               ///< the motion to play after its upload; empty if none is being uploaded
 };
 
 JointsPage::JointsPage(Robot& robot, QWidget* parent)
@@ -204,7 +204,7 @@ void JointsPage::addKeyFrame() {
   makeMotion();
 }
 
-// Also shows what motion it is, or why there is none.
+// Makes a motion of the key frames, and shows its length, or why it cannot be made.
 std::optional<PoseMotion> JointsPage::makeMotion() {
   if (key_frames_.empty()) {
     motion_text_->showText("no key frame yet");

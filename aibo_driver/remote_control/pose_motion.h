@@ -23,7 +23,7 @@ struct PoseMotion {
 /// @param design the robot, such as "ERS-7"
 /// @param poses all with the same joints
 /// @param seconds the time from key frame to key frame, 0.1..60
-/// @throw std::runtime_error there is no such robot, or the poses do not make a motion file; the message says why
+/// @throw std::runtime_error no robot has this design, or no motion file can hold the poses; the message says which
 PoseMotion makePoseMotion(const std::string& name, const std::string& design, const std::vector<Pose>& poses,
                           double seconds);
 

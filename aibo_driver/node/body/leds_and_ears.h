@@ -30,8 +30,8 @@ struct ParsedLeds {
 /// refused if its arrays do not fit together, or if there is no such mode.
 ParsedLeds parseLeds(const Leds& message, const robot_model::RobotModel& model);
 
-/// Sends commands from the topics leds and ears to the robot. While there is no connection, commands are dropped. The
-/// mover may also refuse to move the ears.
+/// Sends the commands of the topics leds and ears to the robot. It drops them while there is no connection. The mover
+/// can refuse to move the ears.
 ///
 /// Only one thread at a time may use an object of this class.
 class LedsAndEars {

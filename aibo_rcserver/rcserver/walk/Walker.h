@@ -76,8 +76,8 @@ class Walker {
   /// The number of the request that began the walk; 0 without a walk, or if the walk ends for a posture.
   unsigned short WalkNumber() const { return IsWalk() && !HasNext() ? orders_.Number(order_) : 0; }
 
-  /// Takes a posture. The order to walk ends at once, but the robot first walks until it stands. Call it only if there
-  /// is no Problem() with it.
+  /// Takes a posture. The order to walk ends at once, but the robot first walks until it stands. Call it only if
+  /// Problem() returns NULL for this posture.
   /// @param number of the request of version 2, otherwise 0
   void Take(protocol::version2::Posture posture, unsigned short number = 0);
 
