@@ -16,8 +16,10 @@ namespace {
 
 using Kind = movement::Movement::Kind;
 
-constexpr double kLengthTolerance = 0.1;  // of an orientation
-constexpr double kSlowest = 0.01;         // rad/s; a velocity of 0 would not limit the speed
+// How far the length of an orientation may be from 1, for people who round it by hand. Our choice.
+constexpr double kLengthTolerance = 0.1;
+
+constexpr double kSlowest = 0.01;  // rad/s; our choice. A velocity of 0 would not limit the speed
 
 walk::BodyOffset offsetIn(const geometry_msgs::Pose& pose) {
   const Eigen::Quaterniond turn(pose.orientation.w, pose.orientation.x, pose.orientation.y, pose.orientation.z);
