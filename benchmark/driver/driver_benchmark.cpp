@@ -220,7 +220,8 @@ class DriverBenchmark {
     const double processor_before = benchmark_figures::processorSeconds(web.pid());
     std::this_thread::sleep_for(window_);
     const double processor = benchmark_figures::processorSeconds(web.pid()) - processor_before;
-    costs_["page"].per_picture.push_back(1e6 * processor / static_cast<double>(viewer.count() - shown_before));
+    costs_["aibo_web, one page"].per_picture.push_back(1e6 * processor /
+                                                       static_cast<double>(viewer.count() - shown_before));
   }
 
   // Both at once, because little happens and measuring takes longer.
@@ -298,7 +299,7 @@ class DriverBenchmark {
     printCost("nodelet", "minimal node", {});
     printCost("node, decoded", "OpenCV", atMost(0.8));
     printCost("nodelet, decoded", "OpenCV", {});
-    printCost("page", "minimal node", {});
+    printCost("aibo_web, one page", "minimal node", {});
     print("processor time of node, no subscriber", "us a picture", costs_["node, no subscriber"].per_picture);
     print("processor share of node, idle", "%", costs_["node, idle"].shares,
           {"empty node", costs_["empty node, idle"].shares}, atMost(1.3));
