@@ -182,6 +182,10 @@ TEST_F(FileJobsTest, AMotionDoesNotBeginIfAJointWasOrderedWhileItWasRead) {
   send(frame('P', 0, 3, playPayload("WAG.MTN", 1000)));
   finishJobs();
   EXPECT_THAT(heard(), ElementsAre("p3")) << "an earlier command does not matter";
+  file_keeper_.slowDown();
+  send(frame('P', 0, 4, playPayload("SIT.MTN", 1)) + frame('E', 2, 5, order()));
+  finishJobs();
+  EXPECT_THAT(heard(), Contains(HasSubstr("was commanded while the file of SIT.MTN"))) << "a posture takes the legs";
 }
 
 TEST_F(FileJobsTest, ASecondFileRequestIsRefusedAndAllOthersAreAnsweredAtOnce) {

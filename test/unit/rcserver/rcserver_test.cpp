@@ -2,7 +2,6 @@
 
 #include "picture_checks.h"
 #include "protocol/units.h"
-#include "rcserver/camera/ImageObserver.h"
 #include "rcserver_fixture.h"
 
 namespace {
@@ -59,6 +58,7 @@ const Cell kCells[] = {
     {kStream + kStream, request('W', 30), {30, 30, 30}},
     {kStream + kStream, "", {0, 0}},
     {kStream + kPicture + kStream, "", {0, 70, 0, 0}},
+    {"", request('F', 255), {100, 0}},
 };
 
 TEST_F(RCServerTest, SendsPicturesAsInTheTable) {
@@ -74,7 +74,7 @@ TEST_F(RCServerTest, SendsPicturesAsInTheTable) {
 }
 
 TEST_F(RCServerTest, PictureRequestsBeyondTheLimitAreAnsweredByAnError) {
-  const int limit = static_cast<int>(ImageObserver::MAX_OWED);
+  constexpr int limit = 256;
   auto client = connectServed();
   std::string requests;
   for (int i = 0; i < limit + 10; ++i) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "motion_bytes.h"
 #include "protocol/color_requests.h"
 #include "protocol/hello.h"
 #include "protocol/picture_datagram.h"
@@ -41,6 +42,9 @@ std::string soundFrom(unsigned position) {
   const unsigned char samples[] = {0, 1, 0, 2};
   return payloadOf(PlayedSound{position, true, samples, sizeof(samples)});
 }
+
+// A motion with a joint that an ERS-7 does not have.
+constexpr char kForeign[] = "at 0 PRM:/r9/c1-Joint2:91 0 head_pan 0\n";
 
 struct AnsweredRequest {
   char kind;
@@ -87,6 +91,9 @@ const AnsweredRequest kAnswered[] = {
     {'P', 0, playPayload("nod.mtn", 1), 0, ""},
     {'P', 0, playPayload("", 0), 0, ""},
     {'N', 0, "", 0, "LIE.MTN\nNOD.MTN\nSIT.MTN\nWAG.MTN"},
+    {'U', 0, uploadPayload("NEW.MTN", motionBytes("at 0 head_pan 0\n")), 0, ""},
+    {'U', protocol::version2::LEAVE_OUT_MISSING_JOINTS, uploadPayload("NEW.MTN", motionBytes(kForeign)),
+     protocol::version2::LEAVE_OUT_MISSING_JOINTS, ""},
     {'D', 0, "nod.mtn", 0, ""},
     {'Y', LIST_PICTURES, "", LIST_PICTURES, "A.JPG"},
     {'Y', FETCH_PICTURE, "a.jpg", FETCH_PICTURE, "picture"},
@@ -151,6 +158,7 @@ const RefusedRequest kRefusals[] = {
     {'U', 0, uploadPayload("WAG~1.MTN", "x"), CODE_REFUSED, "could stand for another file"},
     {'U', 0, uploadPayload("NEW.MTN", "OMTN"), CODE_REFUSED, "NEW.MTN is not a motion file"},
     {'U', 0, uploadPayload("NEW.MTN", std::string(64001, 'x')), CODE_REFUSED, "64001 bytes are too many"},
+    {'U', 0, uploadPayload("NEW.MTN", motionBytes(kForeign)), CODE_REFUSED, "which this robot does not have"},
     {'D', 0, "../NOD.MTN", CODE_REFUSED, "bad request"},
     {'D', 0, "NONE.MTN", CODE_FILE_MISSING, "there is no NONE.MTN"},
     {'M', 85, "A.JPG", CODE_REFUSED, "bad request"},

@@ -57,7 +57,9 @@ TEST_F(StickPicturesTest, AreTakenOfTheNextImage) {
   EXPECT_THAT(files(), ElementsAre("AIBO0001.JPG", "AIBO0002.JPG", "AIBO0003.JPG"));
   const std::string jpeg = contentOf(folder() + "/AIBO0001.JPG");
   EXPECT_LT(jpeg.size(), contentOf(folder() + "/AIBO0003.JPG").size());
-  EXPECT_NEAR(decodeJpeg({jpeg.begin(), jpeg.end()}).level(), FakeRobot::brightness(image + 1), 3);
+  const Decoded picture = decodeJpeg({jpeg.begin(), jpeg.end()});
+  EXPECT_EQ(picture.width, 208);
+  EXPECT_NEAR(picture.level(), FakeRobot::brightness(image + 1), 3);
 }
 
 TEST_F(StickPicturesTest, AreNumberedAfterTheHighestAndReplaceNothing) {
