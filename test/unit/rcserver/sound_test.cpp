@@ -65,6 +65,7 @@ class SoundTest : public FakeRobotFixture {
 
   // What is missing by the frame numbers is filled with silence.
   void take(const HeardSound& sound) {
+    samples_of_push_ = sound.samples_size / 2 / sound.channels;
     const unsigned per_frame = heard_rate_ * 8 / 1000;
     if (heard_.empty()) {
       first_frame_ = sound.frame_number;
@@ -121,7 +122,8 @@ class SoundTest : public FakeRobotFixture {
   std::map<unsigned, Samples> heard_;  // by channel
   unsigned heard_rate_ = kRate;
   unsigned first_frame_ = 0;
-  size_t missing_ = 0;  // samples of each channel
+  size_t samples_of_push_ = 0;  // of each channel of the last one
+  size_t missing_ = 0;          // samples of each channel
   std::vector<SoundEnd> ends_;
   std::vector<Frame> replies_;
 };
@@ -134,6 +136,7 @@ TEST_F(SoundTest, WhatIsHeardHasTheFrameInWhichItWasHeard) {
   EXPECT_EQ(heard_[0],
             samplesOf(mark, first_frame_ * SAMPLES_PER_FRAME, first_frame_ * SAMPLES_PER_FRAME + heard_[0].size()));
   EXPECT_EQ(heard_[1][100], -heard_[0][100]) << "left and right";
+  EXPECT_EQ(samples_of_push_, 256U) << "16 ms";
 }
 
 // The level of a tone in what is heard, as a part of its level in the room, in dB.

@@ -60,6 +60,13 @@ TEST_F(FilesOnTheStick, WhatAResetHasLeftIsNoMotionAndDoesNotBlock) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "UPLOAD.TMP"));
 }
 
+TEST_F(FilesOnTheStick, AreListedUpTo256) {
+  for (int i = 0; i < 300; ++i) {
+    stick_.write(std::string(DATA_FOLDER) + "/M" + std::to_string(i) + ".MTN", "content");
+  }
+  EXPECT_THAT(listed(), testing::SizeIs(256));
+}
+
 TEST_F(FilesOnTheStick, FindsAFileInUpperOrLowerCase) {
   stick_.write(std::string(DATA_FOLDER) + "/Hop.mtn", "content");
   EXPECT_THAT(listed(), testing::ElementsAre("HOP.MTN"));
