@@ -59,6 +59,20 @@ TEST_F(ConnectionsTest, ClientsTurnedAwayThatDoNotCloseDoNotKeepOthersOut) {
   EXPECT_TRUE(isServed(*next));
 }
 
+class Leaving : public TestClient {
+ public:
+  using TestClient::TestClient;
+  void closeSendingSide() { ::shutdown(socket_.get(), SHUT_WR); }
+};
+
+TEST_F(ConnectionsTest, AClientThatClosesItsSendingSideCountsAsGone) {
+  Leaving client(machine_->hostPort(protocol::RCSERVER_PORT));
+  ask(client, "");
+  client.closeSendingSide();
+  EXPECT_TRUE(awaitEnd(client));
+  EXPECT_TRUE(isServed(*connect()));
+}
+
 // What it has asked for after that waits, too.
 TEST_F(ConnectionsTest, ClientThatClosesWhileTheStickIsAtWorkLeavesItsPlace) {
   file_keeper_.slowDown();
@@ -192,6 +206,7 @@ TEST_F(PlayingClientTest, MotionOfASilentVersion1ClientEndsAfterTenSeconds) {
   EXPECT_TRUE(moves("tail_pan"));
   passFrames(20 + 250);
   EXPECT_FALSE(moves("tail_pan"));
+  EXPECT_EQ(robot_.joint("tail_pan").position, 0) << "it has ended its repetition";
   EXPECT_TRUE(isServed(*client));
 }
 

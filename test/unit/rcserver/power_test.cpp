@@ -65,6 +65,14 @@ TEST_F(PowerTest, PauseCutsTheMotorsAtOnceTellsTheClientAndShutsDown) {
   EXPECT_THAT(console_.str(), testing::HasSubstr("the pause button was pressed"));
 }
 
+TEST_F(PowerTest, PauseEndsTheConnectionOfAClientOfVersion1Too) {
+  client_ = connectServed();
+  raise(orsbPAUSE);
+  passUntilOff(kFramesASecond);
+  EXPECT_FALSE(machine_->isOn());
+  EXPECT_TRUE(endsFor(*client_));
+}
+
 // The press that has booted the robot must not switch it off.
 TEST_F(PowerTest, PauseButtonPressedAtBootIsIgnoredUntilItIsPressedAgain) {
   robot_.power_status.robotStatus = orsbPAUSE;
