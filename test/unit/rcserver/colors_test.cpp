@@ -97,15 +97,18 @@ TEST_F(ColorsTest, EachChannelWithATableIsCounted) {
   draw(10, 20, 4, 2, 0, &robot_.color_plane);
   draw(50, 23, 1, 1, 0, &robot_.color_plane);
   draw(7, 22, 2, 1, 0, &robot_.color_plane);
-  draw(30, 30, 3, 3, 1, &robot_.color_plane);  // has no table
-  draw(12, 20, 4, 2, 6, &robot_.color_plane);  // partly the same pixels
+  draw(30, 30, 3, 3, 1, &robot_.color_plane);          // has no table
+  draw(0, kHeight - 1, 9, 1, 0, &robot_.color_plane);  // the camera's tag
+  draw(12, 20, 4, 2, 6, &robot_.color_plane);          // partly the same pixels
   switchOn(1, true);
   const Colors colors = nextImage();
   EXPECT_EQ(colors.regions.image_count, robot_.lastImage());
   EXPECT_EQ(colors.regions.frame_number, clock_.frame());
   EXPECT_EQ(colors.regions.width, kWidth);
   EXPECT_EQ(colors.regions.height, kHeight);
-  EXPECT_EQ(colors.plane, robot_.color_plane);
+  std::vector<byte> without_tag = robot_.color_plane;
+  std::fill(without_tag.end() - kWidth, without_tag.end(), byte{0});
+  EXPECT_EQ(colors.plane, without_tag);
   ASSERT_EQ(colors.regions.count, 2);
   const auto numbersOf = [&colors](int i) {
     const ColorRegion& region = colors.regions.regions[i];
@@ -115,6 +118,17 @@ TEST_F(ColorsTest, EachChannelWithATableIsCounted) {
   EXPECT_THAT(numbersOf(0), testing::ElementsAre(0, 11, (64 * (2 * (10 + 11 + 12 + 13) + 50 + 7 + 8) + 5) / 11,
                                                  (64 * (4 * 20 + 4 * 21 + 2 * 22 + 23) + 5) / 11, 7, 20, 44, 4));
   EXPECT_THAT(numbersOf(1), testing::ElementsAre(6, 8, 64 * 54 / 4, 64 * 41 / 2, 12, 20, 4, 2));
+}
+
+TEST_F(ColorsTest, HaveNoPlaneThatIsLargerThanOfAnErs7) {
+  load(tableOf(0));
+  for (const unsigned width : {104U, 105U}) {
+    robot_.color_plane.assign(width * kHeight, 1);
+    switchOn(1, true);
+    const Colors colors = nextImage();
+    EXPECT_EQ(colors.regions.has_plane, width == 104);
+    EXPECT_EQ(colors.regions.regions[0].width, width);
+  }
 }
 
 TEST_F(ColorsTest, ComeForEveryNthImageUntilTheyAreSwitchedOff) {

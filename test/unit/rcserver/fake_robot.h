@@ -289,7 +289,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   std::optional<std::array<byte, 3>> detail{};  ///< of images, in LH, HL and HH; without it there are no such bands
   bool refuses_camera_settings = false;
   std::map<OCdtChannel, std::vector<longword>> color_tables;  ///< as last set, of each channel
-  std::vector<byte> color_plane;  ///< of images, as large as layer M; empty: images have no such plane
+  std::vector<byte> color_plane;  ///< of images, as high as layer M; empty: images have no such plane
   std::vector<std::pair<OPrimitiveRequest, longword>> camera_requests;  ///< value 0 for those without one
   std::map<OPrimitiveRequest, longword> speaker_requests;               ///< the last one of each
   bool refuses_speaker = false;
@@ -379,8 +379,8 @@ class FakeRobot : public openr_host::VirtualRobot {
     info->type = color_plane.empty() ? odataUNDEF : odataFBK_CDT;
     info->dataOffset = offset;
     info->dataSize = static_cast<longword>(color_plane.size());
-    info->width = kWidth / 2;
     info->height = kHeight / 2;
+    info->width = info->dataSize / info->height;
     std::copy(color_plane.begin(), color_plane.end(), vector.GetData(ofbkimageLAYER_C));
   }
 
