@@ -477,13 +477,24 @@ TEST_F(PostureOfARobot, MayGiveWayToAJointThatDoesNotFollowSixTimes) {
   EXPECT_EQ(position(knee), stuck.position) << "it gives way";
   pass(2);
   EXPECT_GT(joints.Planner().Target(joint("right_front_elevator")), 1400000) << "it spreads its legs";
-  for (int i = 2; i < Walker::ATTEMPTS; ++i) {
+  for (int i = 2; i < 6; ++i) {
     EXPECT_TRUE(walker().TriesAnotherRoute(knee));
     pass(4);
   }
   EXPECT_FALSE(walker().TriesAnotherRoute(knee));
   passUntilIdle();
   EXPECT_TRUE(isIn(POSTURE_STAND));
+}
+
+TEST_F(PostureOfARobot, EndsIfItStillLiesOnItsSideAfterItHasRolled) {
+  feels = kOnItsSide;
+  pass(100);
+  ends();
+  take(POSTURE_STAND);
+  OrderBook::OrderEnd end{};
+  ASSERT_TRUE(joints.Orders().Take(&end));
+  EXPECT_STREQ(end.name, "stand");
+  EXPECT_EQ(end.how, 4) << end.reason;
 }
 
 class Rest : public ::testing::Test, protected WalkingRobot {};
