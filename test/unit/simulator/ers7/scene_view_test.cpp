@@ -98,9 +98,10 @@ TEST(SceneView, WhiteBalanceForLampsMakesTheRoomBlue) {
 
 TEST(Scene, ATableHasAnEdgeAndABoard) {
   const Scene scene(true);
-  EXPECT_EQ(scene.groundAt({0, 0}), kTableHeight);
-  EXPECT_EQ(scene.groundAt({kTableX + kTableHalfLength + 0.01, 0}), 0);
-  EXPECT_EQ(scene.groundAt({0, -kTableHalfWidth - 0.01}), 0);
+  EXPECT_EQ(scene.groundAt({0, 0}), 0.7);
+  EXPECT_EQ(scene.groundAt({kTableX + 0.79, -0.59}), 0.7);
+  EXPECT_EQ(scene.groundAt({kTableX + 0.81, 0}), 0);
+  EXPECT_EQ(scene.groundAt({0, -0.61}), 0);
   EXPECT_EQ(Scene().groundAt({0, 0}), 0);
   const SceneHit top = scene.castRay({{0, 0, 1}, {0, 0, -1}});
   EXPECT_EQ(top.surface, Surface::kWood);

@@ -147,6 +147,9 @@ TEST_F(SimulatedSoundTest, AFileThatCannotBeHeardIsNamedWithTheRemedy) {
   for (const std::string& other : {pipe, folder.path().string(), std::string("/dev/zero")}) {
     EXPECT_THAT(hear(other), HasSubstr("it is not a regular file"));
   }
+  std::ofstream(path).close();
+  std::filesystem::resize_file(path, 100'000'001);
+  EXPECT_THAT(hear(path), HasSubstr("cannot be read")) << "it is longer than 100 MB";
   for (const char* text : {"no sound", "RIFF1234WAVEdata1234"}) {
     std::ofstream(path) << text;
     EXPECT_THAT(hear(path), HasSubstr("is not a WAV file"));

@@ -191,6 +191,18 @@ TEST_F(TravelTest, AFootBeyondTheEdgeOfATableDoesNotCarryAndTheRobotFallsOff) {
   EXPECT_LT(travel.stance().body.linear()(2, 1), -0.9) << "on its left side";
 }
 
+TEST_F(TravelTest, TheRobotFallsOffATableWhenItTipsBy15Degrees) {
+  const Scene scene(true);
+  Travel travel(kStanding, {}, kTableHeight);
+  double degrees = 0;
+  for (double passed = 0; passed < 20 && !travel.hasFallenOff(); passed += kFrameSeconds) {
+    degrees = tiltOf(travel.stance()) * 180 / M_PI;
+    travel.passFrame(trotting({0, -0.05, 0}, passed), {}, scene);
+  }
+  EXPECT_GT(travel.place().y, -kTableHalfWidth) << "its middle is still over the table";
+  EXPECT_NEAR(degrees, 15, 1);
+}
+
 TEST_F(TravelTest, SpeedingUpIsFeltAsAnAccelerationAhead) {
   const auto gone = [](double seconds) {  // at 1 m/s^2
     return reaching([&](Leg leg) { return carriedBack(leg, {seconds / 2, 0, 0}, seconds); });

@@ -60,7 +60,7 @@ TEST_F(MachineTest, AnAddressOrPortThatCannotBeUsedIsNamedWithARemedy) {
   const std::string port = std::to_string(other_program.port());
   options_.ports[7000] = other_program.port();
   EXPECT_THAT(bootError(), AllOf(HasSubstr("port " + port + " on 127.0.0.1 is in use"), HasSubstr("--port")));
-  options_.ports = {{kConsolePort, other_program.port()}};
+  options_.ports = {{59000, other_program.port()}};
   EXPECT_THAT(bootError(), AllOf(HasSubstr("port " + port), HasSubstr("--console-port")));
   options_.ports = {{kConsolePort, 0}};
   options_.bind_address = "203.0.113.1";  // an address for documents, of no computer
