@@ -106,6 +106,13 @@ TEST(AiboRCServer, ListensOnLoopbackUnlessItIsToldOtherwise) {
   }
 }
 
+TEST(AiboRCServer, HasNoConsoleIfItIsToldSo) {
+  const auto other_program = test_support::bindTo("127.0.0.1", 0);
+  ASSERT_EQ(::listen(other_program.get(), 1), 0);
+  Process robot(command({"--no-console"}, "0", std::to_string(test_support::portOf(other_program))));
+  EXPECT_NO_THROW(portOf(robot));
+}
+
 // On Linux, opening a pipe waits for somebody who writes into it.
 TEST(AiboRCServer, GoesOnIfAMotionOnItsMemoryStickIsAPipe) {
   const Strings arguments = command();
