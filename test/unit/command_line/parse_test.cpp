@@ -32,6 +32,8 @@ TEST_F(Parse, OptionsMayBeAnywhere) {
     EXPECT_EQ(line.arguments.get("duration"), "2");
   }
   EXPECT_EQ(parse({"joints", "--port", "4"}).arguments.robot.port, 4);
+  EXPECT_EQ(parse({"joints"}).arguments.robot.port, 54321);
+  EXPECT_EQ(parse({"joints"}).arguments.robot.timeout, std::chrono::seconds(5));
   for (const char* option : {"--host", "--port", "--timeout"}) {
     EXPECT_EQ(parse({option, "1", "sensors"}).command->name, "sensors") << option;
     EXPECT_EQ(parse({std::string(option) + "=1", "sensors"}).command->name, "sensors") << option;

@@ -19,12 +19,14 @@ using ::testing::HasSubstr;
 class GoalWalksTest : public ::testing::Test {
  protected:
   GoalWalksTest() {
-    ros::Time::init();
+    ros::Time::setNow(ros::Time(1000));
     client_.present.robot.capabilities = {"I", "S", "E", "O"};
     client_.present.robot.walk_limits = {0.15, 0.1, 0.06, 1.2};
     parameters_.walk.scale = 0.5;
     parameters_.walk.turn_scale = 2;
   }
+
+  ~GoalWalksTest() override { ros::Time::init(); }
 
   // All poses are relative to this one, except those in the frame of the robot.
   static constexpr walk::PlanePose kOrigin{3, -2, 0.7};
@@ -110,7 +112,7 @@ TEST_F(GoalWalksTest, AGoalThatMakesNoSenseIsRefusedWithTheReason) {
   EXPECT_THAT(refusalOf(goalAt(21.5)), HasSubstr("20.5 m away, and 20 m are allowed"));
   EXPECT_THAT(refusalOf(goalAt(1e300)), HasSubstr("m are allowed"));
   goal = goalAt(2);
-  goal.header.stamp = ros::Time::now() - ros::Duration(0.6);
+  goal.header.stamp = ros::Time::now() - ros::Duration(0.51);
   EXPECT_THAT(refusalOf(goal), HasSubstr("too old"));
   here_.reset();
   EXPECT_THAT(refusalOf(goalAt(2)), HasSubstr("there is no odometry"));
@@ -134,6 +136,8 @@ TEST_F(GoalWalksTest, AsFarAsIsAllowedItWalks) {
   EXPECT_THAT(refusalOf(goalAt(-19.01)), HasSubstr("20.01 m away"));
   geometry_msgs::PoseStamped farthest = goalAt(21);
   EXPECT_EQ(begin(farthest).ended(), nullptr);
+  farthest.header.stamp = ros::Time::now() - ros::Duration(0.49);
+  EXPECT_EQ(begin(farthest).ended(), nullptr) << "half a second old";
   farthest.header.stamp = ros::Time::now() + ros::Duration(5);
   EXPECT_EQ(begin(farthest).ended(), nullptr) << "the clock of its sender is ahead";
   farthest.header.stamp = ros::TIME_MAX;
