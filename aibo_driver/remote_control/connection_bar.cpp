@@ -51,6 +51,7 @@ ConnectionBar::ConnectionBar(QWidget* parent)
   chooser_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   chooser_->setMinimumContentsLength(kShownLength);
   new IgnoreWheel(chooser_);
+  lamp_->setObjectName("lamp");
   text_->setObjectName("connection");
   battery_->setObjectName("battery");
   link_->setObjectName("link");

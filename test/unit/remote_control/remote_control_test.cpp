@@ -173,6 +173,16 @@ TEST_F(RemoteControlTest, EachButtonAsksForWhatItSays) {
   }
 }
 
+TEST_F(RemoteControlTest, ADoubleClickPlaysAMotion) {
+  robot_.connectIt();
+  open("Motions");
+  Q_EMIT robot_.motionsListed({"NOD.MTN", "WAG.MTN"});
+  robot_.take();
+  auto* motions = find<QListWidget>("motions");
+  Q_EMIT motions->itemDoubleClicked(motions->item(1));
+  EXPECT_EQ(robot_.take(), QStringList("play WAG.MTN 1"));
+}
+
 // What cannot be used in a state, and why. The other controls can be used.
 TEST_F(RemoteControlTest, WhatCannotBeUsedNowIsDisabledAndSaysWhy) {
   const QStringList all{"Stand",  "Motors on", "Motors off", "drive_pad", "head_pad", "Play",        "motions",
@@ -219,6 +229,7 @@ TEST_F(RemoteControlTest, StopBecomesReleaseButNotForASecondClickInFright) {
   since_stopped.start();
   Q_EMIT robot_.conditionChanged(stopped);
   EXPECT_EQ(find<QAbstractButton>("stop")->text(), "Release");
+  EXPECT_TRUE(find<QAbstractButton>("stop")->styleSheet().contains("#1565c0")) << "blue";
   EXPECT_EQ(textOf("condition"), "stopped by /gamepad");
   EXPECT_TRUE(QTest::qWaitFor([this] { return click("stop") == QStringList("release"); }));
   EXPECT_GE(since_stopped.elapsed(), 1000) << "sooner it stops once more";
@@ -499,6 +510,11 @@ TEST_F(RemoteControlTest, TheConnectionIsShownInWordsAndFigures) {
   EXPECT_EQ(textOf("battery"), QString::fromUtf8("Battery 82 %, 31 \u00B0C")) << "the last reading stays";
   EXPECT_FALSE(find<QLabel>("battery")->isEnabled()) << "in grey";
   EXPECT_EQ(textOf("link"), "");
+  RobotConnection without_master;
+  without_master.state = State::kConnected;
+  without_master.master_answers = false;
+  Q_EMIT robot_.connectionChanged(without_master);
+  EXPECT_TRUE(find<QLabel>("lamp")->styleSheet().contains("#ffb300")) << "yellow";
 }
 
 TEST_F(RemoteControlTest, TheChooserHasTheDriversThatRunAndTheOneInUse) {
@@ -550,6 +566,10 @@ TEST_F(RemoteControlTest, ShowsWhatIsTouchedHowFarThingsAreAndHowLoudItIs) {
   find<QAbstractButton>("listen")->click();
   Q_EMIT robot_.heard(-20.4);
   EXPECT_EQ(find<QProgressBar>("level")->format(), "-20 dB");
+  const auto redness = [this] { return find<QProgressBar>("level")->palette().color(QPalette::Highlight).red(); };
+  EXPECT_LT(redness(), 100);
+  Q_EMIT robot_.heard(-1);
+  EXPECT_GT(redness(), 200) << "samples may be clipped";
 }
 
 TEST_F(RemoteControlTest, AnLedIsSwitchedOffOnlyIfTheRobotSaysThatItShines) {
@@ -701,8 +721,11 @@ TEST(JointSliderTest, CommandsItsJointAndFollowsItAgainAfterwards) {
   EXPECT_EQ(shows(0.6), 1000) << "the joint is on its way";
   shows(0.99);
   EXPECT_EQ(shows(0.7), 700) << "it has been there, and somebody else has moved it";
+  QElapsedTimer since_moved;
+  since_moved.start();
   slider.slider()->setValue(1000);
   EXPECT_TRUE(QTest::qWaitFor([&] { return shows(0.6) == 600; }, 20000)) << "it does not arrive";
+  EXPECT_GE(since_moved.elapsed(), 2000);
   slider.slider()->setSliderDown(true);
   slider.slider()->setValue(450);
   EXPECT_EQ(shows(0.2), 450) << "it is held";
