@@ -79,10 +79,11 @@ fail() {
   exit 1
 }
 
-# Prints the comment at the top of the running script: its --help.
-print_help() {
+# For the running script, --help prints the comment at its top.
+if [[ ${1:-} =~ ^(--help|-h)$ ]]; then
   sed -n '2,/^[^#]/{s/^# \{0,1\}//p}' "$0"
-}
+  exit 0
+fi
 
 # packages_of GROUP...: the packages in scripts/packages.txt, for this release.
 packages_of() {
