@@ -4,11 +4,9 @@ data?
 The loader puts the program at some address, and adds the difference to the words that .RelDataEntry names. Everything
 else must be independent of the address. The SDK's gensnap and the programs among Sony's samples show what is expected.
 """
-import gzip
 import io
 import struct
 from array import array
-from typing import NamedTuple
 
 try:
     from elftools.common.exceptions import ELFError
@@ -31,8 +29,8 @@ NEEDED = (".SnapShotHdr", ".ObletDependencyDescr", ".ObletDependencyDescrList", 
           ".reginfo", ".text", ".ctors", ".got")
 
 # gensnap adapts R_MIPS_32. It leaves out the other relocations, which do not depend on the program's address.
-RELOCATIONS = {"R_MIPS_NONE", "R_MIPS_32", "R_MIPS_CALL16", "R_MIPS_HI16", "R_MIPS_GPREL32", "R_MIPS_LO16",
-               "R_MIPS_GOT16", "R_MIPS_PC32"}
+RELOCATIONS = {0: "R_MIPS_NONE", 2: "R_MIPS_32", 5: "R_MIPS_HI16", 6: "R_MIPS_LO16", 9: "R_MIPS_GOT16",
+               11: "R_MIPS_CALL16", 12: "R_MIPS_GPREL32", 248: "R_MIPS_PC32"}
 
 
 # Debian 11's iter_sections() and iter_segments() cannot choose a type.
@@ -40,41 +38,13 @@ def relocation_tables(elf):
     return (section for section in elf.iter_sections() if section["sh_type"] == "SHT_REL")
 
 
-class Summary(NamedTuple):
-    """What a program is made of, for comparison with another compiler's."""
-    name: str
-    stack: int
-    heap: int
-    priority: int
-    flags: int
-    text: int
-    data: int
-    bss: int
-    relocated_words: int
-    functions_with_gp: int
-    largest_frame: int
-    oblets: str
-
-    def __str__(self):
-        return (f"{self.name}: stack {self.stack}, heap {self.heap}, priority {self.priority}, flags {self.flags:#x}; "
-                f"text {self.text}, data {self.data}, bss {self.bss} bytes; {self.relocated_words} relocated words, "
-                f"{self.functions_with_gp} functions that set gp, largest frame {self.largest_frame} bytes; "
-                f"uses {self.oblets}")
-
-
 class Broken(Exception):
     """The program is too damaged for further checks."""
 
 
-def read(path):
-    """The bytes of a program, unpacked if it is gzipped as on the stick."""
-    data = path.read_bytes()
-    return gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data
-
-
 class Program:
-    """One program. problems() yields a text for each fault, and fills in the summary and what is unusual: Sony's tools
-    accept it, and other people's programs have it."""
+    """One program. problems() yields a text for each fault, and fills in what is unusual: Sony's tools accept it, and
+    other people's programs have it."""
 
     def __init__(self, data, linked=None, relocations=None):
         """`linked` is mkbin's NAME.nosnap.elf, `relocations` its NAME.rel.elf: their bytes, or None."""
@@ -82,7 +52,6 @@ class Program:
         self._linked = linked
         self._relocations = relocations
         self._sections = {}
-        self.summary = None
         self.unusual = []
 
     def problems(self):
@@ -139,9 +108,8 @@ class Program:
         header = self._bytes(".SnapShotHdr")
         name, kind = header[:64].rstrip(b"\0"), struct.unpack_from("<I", header, 128)[0]
         space = header[132:196].rstrip(b"\0")
-        stack, heap = struct.unpack_from("<2I", header, 196)
-        priority = struct.unpack_from("<I", header, 228)[0]
-        if kind != 1 or space != b"mCOOP" or not name or stack == 0 or heap == 0:
+        self._stack, heap = struct.unpack_from("<2I", header, 196)
+        if kind != 1 or space != b"mCOOP" or not name or self._stack == 0 or heap == 0:
             yield ".SnapShotHdr describes no OPEN-R object with a name, a stack and a heap"
         entry, = struct.unpack_from("<I", self._bytes(".RelEntry"), 24)
         text = self._sections[".text"]
@@ -150,17 +118,6 @@ class Program:
         count, = struct.unpack_from("<I", self._bytes(".RelEntry"), 36)
         if count * 16 != self._sections[".RelDataEntry"]["sh_size"]:
             yield f".RelEntry counts {count} relocated words, .RelDataEntry has another number"
-        size = lambda *names: sum(s["sh_size"] for s in self._placed() if s.name in names)  # noqa: E731
-        self._stack = stack
-        self.summary = Summary(
-            name.decode("ascii", "replace"), stack, heap, priority, self._elf.header["e_flags"], size(".text"),
-            size(".rodata", ".data", ".sdata", ".ctors", ".dtors", ".got", ".eh_frame", ".gcc_except_table"),
-            size(".bss", ".sbss"), count, 0, 0, self._oblets())
-
-    def _oblets(self):
-        data = self._bytes(".ObletDependencyDescr")
-        names = [data[at + 4:at + 68].rstrip(b"\0").decode("ascii", "replace") for at in range(0, len(data) - 67, 76)]
-        return ", ".join(names) or "nothing"
 
     def _words(self):
         """Each word in .RelDataEntry must have the table's address, in a section with data."""
@@ -207,13 +164,13 @@ class Program:
         start = self._sections[".text"]["sh_addr"]
         code = array("I", self._bytes(".text")[:self._sections[".text"]["sh_size"] // 4 * 4])
         gp = self._sections[".got"]["sh_addr"] + GP_OFFSET
-        set_gp, frame = 0, 0
+        sets_gp, frame = False, 0
         wrong_gp, absolute, unknown = [], [], []
         for index, word in enumerate(code):
             operation, register = word >> 26, word >> 16 & 31
             if operation == 0x0f:  # lui
                 if register == GP and code[index + 1] >> 16 == 0x279c and code[index + 2] == 0x0399e021:
-                    set_gp += 1
+                    sets_gp = True
                     function = start + 4 * index
                     if (function + ((word & 0xffff) << 16) + _signed(code[index + 1]) - gp) & 0xffffffff:
                         wrong_gp.append(f"{function:#x}")
@@ -228,11 +185,10 @@ class Program:
         yield from _some(wrong_gp, f"functions compute a gp other than {gp:#x}, so they would not find their data")
         yield from _some(absolute, "code uses addresses that the loader does not adapt")
         yield from _some(unknown, "code has instructions of newer processors than the robot's")
-        if set_gp == 0:
+        if not sets_gp:
             yield "no function sets gp: this is not position-independent code"
         if frame > max(self._stack // 2, SMALL_FRAME):
             self.unusual.append(f"a function needs {frame} bytes of a stack of {self._stack}")
-        self.summary = self.summary._replace(functions_with_gp=set_gp, largest_frame=frame)
 
     def _uses_address(self, code, index):
         """True if this lui begins an address in the program that one of the next instructions completes."""
@@ -268,9 +224,9 @@ class Program:
                 continue
             symbols = elf.get_section(table["sh_link"])
             for relocation in table.iter_relocations():
-                kind = NAMES.get(relocation["r_info_type"], str(relocation["r_info_type"]))
-                if kind not in RELOCATIONS:
-                    unknown.add(kind)
+                kind = RELOCATIONS.get(relocation["r_info_type"])
+                if kind is None:
+                    unknown.add(f"number {relocation['r_info_type']}")
                 if kind == "R_MIPS_HI16" and symbols.get_symbol(relocation["r_info_sym"]).name != "_gp_disp":
                     absolute.append(f"{section['sh_addr'] + relocation['r_offset']:#x}")
                 if kind == "R_MIPS_32" and relocation["r_offset"] + 4 > section["sh_size"]:
@@ -281,11 +237,6 @@ class Program:
 
     def _bytes(self, name):
         return self._sections[name].data()
-
-
-NAMES = {0: "R_MIPS_NONE", 2: "R_MIPS_32", 3: "R_MIPS_REL32", 4: "R_MIPS_26", 5: "R_MIPS_HI16", 6: "R_MIPS_LO16",
-         9: "R_MIPS_GOT16", 10: "R_MIPS_PC16", 11: "R_MIPS_CALL16", 12: "R_MIPS_GPREL32", 37: "R_MIPS_JALR",
-         248: "R_MIPS_PC32"}
 
 
 def _signed(word):

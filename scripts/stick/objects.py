@@ -10,38 +10,20 @@ STICK_FILES = SOURCES / "memory_stick" / "OPEN-R"
 
 
 class RobotObject(NamedTuple):
-    """One program, an OPEN-R object. The entry `shared`, with the file "-", is code that all of them link."""
+    """One program, an OPEN-R object."""
     name: str
     file: str
-    folders: list
+    folder: str
 
-    @property
-    def stub_cfg(self):
-        return SOURCES / self.folders[0] / "stub.cfg"
+    def services(self):
+        """The services in its stub.cfg, such as RCServer.Image.OFbkImageVectorData.O.
 
-    def sources(self):
-        return sorted(source for folder in self.folders for source in (SOURCES / folder).rglob("*.cc"))
-
-    def headers(self):
-        return sorted(header for folder in self.folders for header in (SOURCES / folder).rglob("*.h"))
-
-
-def _table():
-    lines = (line.split("#")[0].split() for line in (PROGRAMS / "objects.txt").read_text().splitlines())
-    return [RobotObject(line[0], line[1], line[2:]) for line in lines if line]
+        Like Sony's stubgen2, this ignores lines without a keyword, so comments may have any form.
+        """
+        stub = (SOURCES / self.folder / "stub.cfg").read_text()
+        return re.findall(r'^\s*Service\s*:\s*"([^"]+)"', stub, re.MULTILINE)
 
 
 def robot_objects():
-    return [row for row in _table() if row.file != "-"]
-
-
-def shared_sources():
-    return next(row for row in _table() if row.name == "shared")
-
-
-def services(stub_cfg):
-    """The services in a stub.cfg, such as RCServer.Image.OFbkImageVectorData.O.
-
-    Like Sony's stubgen2, this ignores lines without a keyword, so comments may have any form.
-    """
-    return re.findall(r'^\s*Service\s*:\s*"([^"]+)"', stub_cfg.read_text(), re.MULTILINE)
+    lines = (line.split("#")[0].split() for line in (PROGRAMS / "objects.txt").read_text().splitlines())
+    return [RobotObject(*line[:3]) for line in lines if line and line[1] != "-"]

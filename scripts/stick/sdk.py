@@ -6,7 +6,7 @@ import subprocess
 import zlib
 from typing import NamedTuple
 
-from . import Problem, debian, raise_any
+from . import Problem, debian
 from .settings import lines_in
 
 WHAT_IT_IS = (
@@ -38,20 +38,20 @@ C_LIBRARY = Part(
     "with the folders mipsel-linux and lib, or build newlib 1.10 to 1.15 for mipsel-linux under the same folder.",
     ("mipsel-linux/include/string.h", *("mipsel-linux/lib/" + name for name in debian.NEWLIB)),
 )
+INCOMPLETE = "Unpack the whole SDK archive (OPEN_R_SDK-1.1.5): this copy of it is incomplete."
 LIBRARIES = Part(
-    "OPEN-R's libraries",
-    "Unpack the whole SDK archive (OPEN_R_SDK-1.1.5): this copy of it is incomplete.",
+    "OPEN-R's libraries", INCOMPLETE,
     tuple(f"OPEN_R/lib/lib{name}.a" for name in ("ObjectComm", "OPENR", "Internet", "antMCOOP", "apsys", "mcoopstub",
                                                  "OFSpub")),
 )
 HEADERS = Part(
-    "OPEN-R's headers",
-    "Unpack the whole SDK archive (OPEN_R_SDK-1.1.5): this copy of it is incomplete.",
+    "OPEN-R's headers", INCOMPLETE,
     tuple("OPEN_R/include/" + name for name in ("OPENR/OObject.h", "MCOOP/ant.h", "TCPEndpointMsg.h")),
 )
-STUB_GENERATOR = Part("OPEN-R's Perl programs", HEADERS.advice, ("OPEN_R/bin/stubgen2",))
-LINKER = Part("OPEN-R's Perl programs", HEADERS.advice, ("OPEN_R/bin/mkbin", "OPEN_R/bin/gensnap"))
-C_HEADERS = Part("the C library's headers", C_LIBRARY.advice, ("mipsel-linux/include/string.h",))
+PROGRAMS = Part(
+    "OPEN-R's Perl programs", INCOMPLETE,
+    tuple("OPEN_R/bin/" + name for name in ("stubgen2", "mkbin", "gensnap")),
+)
 
 # Sony's system is encrypted, so its files cannot be unpacked. In all revisions seen, they have whole blocks of 8 bytes,
 # cannot be compressed, and have sizes well within these bounds.
@@ -73,10 +73,10 @@ def choose_compiler(sdk, wanted):
 def build_problems(sdk, model, compiler):
     """Yields a Problem for everything missing for this compiler and a stick of that model."""
     if not (sdk / "OPEN_R").is_dir():
-        yield no_sdk(sdk)
+        yield Problem(f"there is no OPEN-R SDK in {sdk}: the folder OPEN_R is missing.", *WHAT_IT_IS)
         return
     own = compiler == "sdk"
-    problems = [problem for part in (COMPILER if own else C_LIBRARY, LIBRARIES, HEADERS, STUB_GENERATOR, LINKER)
+    problems = [problem for part in (COMPILER if own else C_LIBRARY, LIBRARIES, HEADERS, PROGRAMS)
                 for problem in _missing(sdk, part)]
     problems += _system_problems(system_folder(sdk, model)) + _missing_programs("perl", "make", "gzip", "g++")
     problems += missing_pyelftools()
@@ -93,14 +93,6 @@ def missing_pyelftools():
         return [Problem("this Python has no module elftools, which reads programs.",
                         "apt-get install python3-pyelftools; and start this script with Debian's python3.")]
     return []
-
-
-def check_for_headers(sdk):
-    """Raises Problems for everything that `sdk` lacks for checking headers."""
-    if not (sdk / "OPEN_R").is_dir():
-        raise no_sdk(sdk)
-    raise_any([problem for part in (HEADERS, STUB_GENERATOR, C_HEADERS) for problem in _missing(sdk, part)] +
-              _missing_programs("perl", "g++"))
 
 
 def system_folder(sdk, model):
@@ -155,10 +147,6 @@ def notes_on_revision(open_r):
     if lacks and "ERS-7" in (open_r / "VERSION.txt").read_text(errors="replace"):
         notes += ["An ERS-7M3 needs r4 or later; r5 is recommended. Since " + "; since ".join(lacks) + "."]
     return notes
-
-
-def no_sdk(sdk):
-    return Problem(f"there is no OPEN-R SDK in {sdk}: the folder OPEN_R is missing.", *WHAT_IT_IS)
 
 
 def _missing(sdk, part):

@@ -5,7 +5,7 @@ import zlib
 
 from . import Problem, sdk as sony
 from .binary import Program
-from .objects import robot_objects, services
+from .objects import robot_objects
 from .settings import has_marks, lines_in, settings_problems
 from .wlan import WlanConf
 
@@ -118,7 +118,7 @@ def _connection_problems(open_r):
     if not configuration.is_file():
         yield Problem(f"{configuration} is missing.", WRITE_AGAIN)
         return
-    ours = [service for robot_object in robot_objects() for service in services(robot_object.stub_cfg)]
+    ours = [service for robot_object in robot_objects() for service in robot_object.services()]
     known = SYSTEM_SERVICES.union(ours)
     connected = set()
     for number, line in enumerate(lines_in(configuration), 1):

@@ -1,11 +1,12 @@
 """Builds the programs and writes the memory stick."""
+import gzip
 import os
 import re
 import subprocess
 import sys
 
 from . import Problem, debian, raise_any, sdk as sony
-from .binary import Program, read
+from .binary import Program
 from .objects import PROGRAMS, SOURCES, STICK_FILES, robot_objects
 
 sys.path.append(str(SOURCES / "host_files"))
@@ -47,30 +48,21 @@ def build(sdk, libjpeg, build_dir, compiler):
         subprocess.run(make + [f"-j{os.cpu_count() or 1}"], check=True)
     except subprocess.CalledProcessError as error:
         raise Problem("the build failed; see the first message above.",
-                      "If the compiler does not find a name or a header of OPEN-R, try scripts/memory_stick --check.",
                       "'No rule to make target' means that the file it names is missing.") from error
     programs = [build_dir / robot_object.file for robot_object in robot_objects()]
     raise_any(problem for robot_object, program in zip(robot_objects(), programs)
-              for problem in check_program(program, build_dir / robot_object.name / robot_object.name))
+              for problem in _faults(program, build_dir / robot_object.name / robot_object.name))
     return programs
 
 
-def check_program(path, linked_as=None):
-    """Prints what a program is made of and what is unusual, and yields a Problem for each fault.
-
-    `linked_as` is for this project's programs, for which what is unusual is a fault: where mkbin left NAME.nosnap.elf and
-    NAME.rel.elf, the path without their endings.
-    """
-    base = linked_as or path.with_suffix("")
-    linked, relocations = (base.with_name(base.name + end) for end in (".nosnap.elf", ".rel.elf"))
-    program = Program(read(path), *(file.read_bytes() if file.is_file() else None for file in (linked, relocations)))
-    found = list(program.problems())
-    found += program.unusual if linked_as else []
-    print(f"{path}: {'FAULTY' if found else 'no fault found'}. {program.summary or ''}", flush=True)
-    for what in () if linked_as else program.unusual:
-        print(f"{path} is unusual: {what}. Sony's tools accept that.", flush=True)
-    for what in found:
-        yield Problem(f"{path}: {what}.", "Do not start it on a robot; build it again, and report the fault if it comes back.")
+def _faults(path, linked_as):
+    """Yields a Problem for each fault of a program. mkbin has left `linked_as`.nosnap.elf and .rel.elf."""
+    linked, relocations = (linked_as.with_name(linked_as.name + end) for end in (".nosnap.elf", ".rel.elf"))
+    program = Program(gzip.decompress(path.read_bytes()),
+                      *(file.read_bytes() if file.is_file() else None for file in (linked, relocations)))
+    for what in [*program.problems(), *program.unusual]:
+        yield Problem(f"{path}: {what}.",
+                      "Do not start it on a robot; build it again, and report the fault if it comes back.")
 
 
 def write(sdk, model, programs, wlan_conf, output):

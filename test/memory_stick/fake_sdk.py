@@ -2,7 +2,6 @@
 of the right kind, and log their arguments in `log`."""
 import functools
 import random
-import shutil
 
 import fake_program
 from stick.link import merge
@@ -86,17 +85,6 @@ def make_libjpeg(folder):
     for name in ("jcapimin jcapistd jccoefct jccolor jcdctmgr jchuff jcinit jcmainct jcmarker jcmaster jcomapi jcparam "
                  "jcphuff jcprepct jcsample jfdctflt jfdctfst jfdctint jerror jmemmgr jmemnobs jutils").split():
         _write(folder / f"{name}.c", "")
-
-
-def use_headers(sdk, openr_headers, c_headers):
-    """Headers that the project's sources compile with: its own OPEN-R ones, and names of C headers."""
-    include = sdk / "OPEN_R" / "include"
-    shutil.rmtree(str(include))
-    shutil.copytree(str(openr_headers), str(include))
-    (include / "MCOOP").mkdir()
-    (include / "ant.h").rename(include / "MCOOP" / "ant.h")
-    for name in c_headers:
-        _write(sdk / "mipsel-linux" / "include" / name, "#error only its presence counts\n")
 
 
 def _make_system(open_r, model):
