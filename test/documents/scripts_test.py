@@ -14,8 +14,8 @@ REFUSED = {
     'lint --fast': "no option '--fast'", 'package --fast': "no option '--fast'", 'physics --fast': "no option '--fast'",
     'mips --count --fast': "no option '--fast'", 'mips --libjpeg /': 'the folder with the sources of libjpeg',
     'soak --minutes': '--minutes needs a number', 'soak --seed 3 --fast': "no option '--fast'",
-    'soak --sanitize memory': "no sanitizer 'memory'", 'fuzz': '--seconds or --runs is missing',
-    'fuzz --seconds 0': '--seconds needs', 'fuzz --runs 1.5': '--runs needs', 'fuzz --runs 2 none': "no target 'none'",
+    'soak --sanitize memory': "no sanitizer 'memory'", 'fuzz': '--seconds needs',
+    'fuzz --seconds 0': '--seconds needs', 'fuzz --seconds 2 none': "no target 'none'",
     'benchmark --quick fast': "no option or benchmark 'fast'", 'pictures fleet none': "no picture 'none'",
     'openr_object': 'which folder?', 'openr_object --fast': "no option '--fast'",
     'openr_object /usr /etc': "two folders, '/usr' and '/etc'", 'openr_object /none': "no folder '/none'",
@@ -27,7 +27,7 @@ REFUSED = {
 
 STARTED = {
     'soak --seed 3 --sanitize thread': ['build tests soak', '--tests --sanitize thread all aibo_soak'],
-    'fuzz --runs 2 hello picture': ['build tests fuzz', '--tests --sanitize fuzz fuzz_hello fuzz_picture'],
+    'fuzz --seconds 2 hello picture': ['build tests fuzz', '--tests --sanitize fuzz fuzz_hello fuzz_picture'],
     'sanitize thread -R x': ['build tests rviz wlan physics', '--tests --sanitize thread all tests'],
     'faults --only hostile-driver': ['build tests', '--tests fault_rostest'],
     'test -R x': ['build tests rviz wlan physics', '--tests all tests'],
