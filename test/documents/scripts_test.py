@@ -12,7 +12,7 @@ NOTE = '#!/bin/sh\necho "${0##*/} $*" >> "${0%/*}/../log"; [ "${0##*/}" != build
 
 REFUSED = {
     'lint --fast': "no option '--fast'", 'package --fast': "no option '--fast'", 'physics --fast': "no option '--fast'",
-    'mips --count --fast': "no option '--fast'", 'mips --libjpeg /': 'the folder with the sources of libjpeg',
+    'mips --fast': "no option '--fast'",
     'soak --minutes': '--minutes needs a number', 'soak --seed 3 --fast': "no option '--fast'",
     'soak --sanitize memory': "no sanitizer 'memory'", 'fuzz': '--seconds needs',
     'fuzz --seconds 0': '--seconds needs', 'fuzz --seconds 2 none': "no target 'none'",
