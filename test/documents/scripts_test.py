@@ -29,7 +29,7 @@ STARTED = {
     'soak --seed 3 --sanitize thread': ['build tests soak', '--tests --sanitize thread all aibo_soak'],
     'fuzz --seconds 2 hello picture': ['build tests fuzz', '--tests --sanitize fuzz fuzz_hello fuzz_picture'],
     'sanitize thread -R x': ['build tests rviz wlan physics', '--tests --sanitize thread all tests'],
-    'faults --only hostile-driver': ['build tests', '--tests fault_rostest'],
+    'faults --only hostile': ['build tests', '--tests aibo_fault_campaign fault_rostest'],
     'test -R x': ['build tests rviz wlan physics', '--tests all tests'],
     'faults --only loss': ['build tests', '--tests aibo_fault_campaign']}
 
