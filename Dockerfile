@@ -1,6 +1,5 @@
 # The driver with the simulated ERS-7 and all programs, built on Debian 13. scripts/container builds this and runs it.
-ARG DEBIAN=debian:trixie-slim
-FROM $DEBIAN
+FROM debian:trixie-slim
 
 COPY . /aibo_driver
 WORKDIR /aibo_driver
