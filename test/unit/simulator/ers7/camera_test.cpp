@@ -8,7 +8,7 @@
 namespace simulated_ers7 {
 namespace {
 
-// docs/architecture.md, "From camera to topic".
+// docs/ros_interface.md, "Stamps".
 TEST(CameraTiming, AnImageComesEvery32Or40Milliseconds) {
   longword last = 0;
   for (longword frame = 1; frame <= 125 * 60; ++frame) {
