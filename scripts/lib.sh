@@ -61,14 +61,13 @@ watch_with() {
   export TSAN_OPTIONS=suppressions=$suppressions/threads.txt:halt_on_error=1:second_deadlock_stack=1:history_size=7
 }
 
-# parallel_tests: prints how many tests run at the same time. Tests of nodes wait for nine tenths of their time, so six
-# for each processor keep it busy; each needs up to 400 megabytes.
-parallel_tests() {
-  local by_memory
-  by_memory=$(awk '/^MemAvailable/ { print int($2 / 400000) }' /proc/meminfo)
-  local by_processor
-  by_processor=$((6 * $(nproc)))
-  echo $((by_memory < 1 ? 1 : by_memory < by_processor ? by_memory : by_processor))
+# at_once N MEGABYTES: prints how many processes run at the same time: N for each processor, or fewer if memory does not
+# suffice for so many of this size.
+at_once() {
+  awk -v most=$(($1 * $(nproc))) -v size="$2" '/^MemAvailable/ {
+    fit = int($2 / 1000 / size)
+    print (fit < 1 ? 1 : fit < most ? fit : most)
+  }' /proc/meminfo
 }
 
 # fail PROBLEM [ADVICE...]: prints what went wrong, then the advice, one line each.

@@ -60,11 +60,6 @@ SYSTEM_FILES = {"OPEN-R/APERIOS.GZ": (400_000, 700_000), "OPEN-R/APERINIT.GZ": (
 SYSTEM_OBJECT = (2_000, 200_000)
 
 
-def compilers():
-    """The compilers that can build the programs: the SDK's own, or Debian's."""
-    return ("sdk", "debian")
-
-
 def choose_compiler(sdk, wanted):
     """Returns `wanted` or, if that is None, the SDK's compiler if it is there, otherwise Debian's."""
     return wanted or ("sdk" if (sdk / COMPILER.paths[1]).is_file() else "debian")
