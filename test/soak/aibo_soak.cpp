@@ -278,8 +278,8 @@ void Soak::end() {
   if (const std::string growth = robot_resources_.growth(); !growth.empty()) {
     complain("server: " + growth);
   }
-  audit_.report();
-  std::printf("pictures: %llu\nviolations: %zu\n", static_cast<unsigned long long>(pictures_), violations_);
+  std::printf("\n%u rounds, %llu pictures, %zu violations\n", number_ / 2, static_cast<unsigned long long>(pictures_),
+              violations_);
 }
 
 /// Lets this many milliseconds pass, and takes samples of resources meanwhile.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <set>
 #include <sstream>
@@ -47,17 +46,6 @@ std::string wordsOf(const Moving& movement) {
          (movement.name.empty() ? "" : " (" + movement.name + ")");
 }
 
-/// Prints a line: how many values there are, and how large.
-void printFigures(const char* title, std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const auto quantile = [&values](double part) {
-    const auto index = static_cast<std::size_t>(part * static_cast<double>(values.size()));
-    return values.empty() ? 0 : values[std::min(index, values.size() - 1)];
-  };
-  std::printf("%-44s %8zu  median %.3f  99%% %.3f  most %.3f\n", title, values.size(), quantile(0.5), quantile(0.99),
-              quantile(1));
-}
-
 }  // namespace
 
 std::string hourClock(double time) {
@@ -65,11 +53,6 @@ std::string hourClock(double time) {
 }
 
 void OrderAudit::judge(const Round& round) {
-  ++rounds_;
-  orders_ += round.orders.size();
-  ends_ += round.ended.size();
-  faults_ += round.faults.size();
-  calls_ += round.calls.size();
   for (const Call& call : round.calls) {
     if (call.message == kNoAnswer) {
       complain_(clock(call.begin) + call.service + " of " + call.user + " got no answer");
@@ -131,14 +114,11 @@ void OrderAudit::judgeStop(const Round& round, const Call& stop) {
   if (!is_clear || measurements < 2) {
     return;  // the robot was told to rest meanwhile, or nothing was measured
   }
-  double most = 0;
   for (const auto& [joint, way] : moved) {
-    most = std::max(most, way);
     if (way > kStill) {
       complain_(clock(begin) + joint + " moved by " + text(way) + " rad after the stop of " + stop.user);
     }
   }
-  moved_in_stops_.push_back(most);
   for (const Accepted& accepted : round.accepted) {
     if (accepted.time > begin && accepted.time < end) {
       complain_(clock(accepted.time) + "the robot accepted a target of " + accepted.joint + " during the stop of " +
@@ -159,22 +139,12 @@ void OrderAudit::judgeAge(const Round& round) {
       }
     }
     for (const auto& [time, targets] : found) {
-      if (targets == order.targets.size()) {
-        ages_.push_back(time - order.time);
-        if (ages_.back() > kTooOld + kOnTheWay) {
-          complain_(clock(time) + "the robot accepted a command of " + order.user + " that was " + text(ages_.back()) +
-                    " s old");
-        }
+      const double age = time - order.time;
+      if (targets == order.targets.size() && age > kTooOld + kOnTheWay) {
+        complain_(clock(time) + "the robot accepted a command of " + order.user + " that was " + text(age) + " s old");
       }
     }
   }
-}
-
-void OrderAudit::report() const {
-  std::printf("\n%zu rounds, %zu faults, %zu commands, %zu ends, %zu calls and goals\n", rounds_, faults_, orders_,
-              ends_, calls_);
-  printFigures("way of the joints after a stop, rad", moved_in_stops_);
-  printFigures("age of accepted commands, s", ages_);
 }
 
 }  // namespace soak

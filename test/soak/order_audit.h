@@ -4,7 +4,6 @@
 #ifndef TEST_SOAK_ORDER_AUDIT_H
 #define TEST_SOAK_ORDER_AUDIT_H
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -68,7 +67,7 @@ struct Round {
   std::vector<std::string> faults{};  ///< with their times
 };
 
-/// Judges what happened in each round by the contract of docs/ros_interface.md, and adds up the figures.
+/// Judges what happened in each round by the contract of docs/ros_interface.md.
 class OrderAudit {
  public:
   /// @param complain is called with each violation
@@ -77,23 +76,12 @@ class OrderAudit {
   /// @param round in which all orders have ended
   void judge(const Round& round);
 
-  /// Prints a table.
-  void report() const;
-
  private:
   void judgeEnds(const Round& round);
   void judgeStop(const Round& round, const Call& stop);
   void judgeAge(const Round& round);
 
   const std::function<void(const std::string&)> complain_;
-
-  std::size_t rounds_ = 0;
-  std::size_t orders_ = 0;
-  std::size_t ends_ = 0;
-  std::size_t calls_ = 0;
-  std::size_t faults_ = 0;
-  std::vector<double> moved_in_stops_;  ///< rad, the most of any joint in each stop
-  std::vector<double> ages_;            ///< s, of commands when the robot has accepted them
 };
 
 /// A time in words: the seconds since the last full hour.
