@@ -1,6 +1,5 @@
 /// @file aibo_walk_bench.cpp
 /// Tries the walk on many robots with weight and on many floors, and prints a table.
-#include <algorithm>
 #include <cstdlib>
 #include <iomanip>
 #include <iostream>
@@ -25,39 +24,14 @@ struct Options {
   bool has_floors = true;
 };
 
-/// All records of a direction, one for each world.
-using Records = std::vector<Record>;
-
 int problems = 0;
 
-Record tryOut(const std::string& name, const World& world, const physics::Commands& commands, double seconds) {
+void tryOut(const std::string& name, const World& world, const physics::Commands& commands, double seconds) {
   const bool is_level = world.slope == 0 && world.sill == 0;
   const Record record = physics::walk(world, commands, seconds);
   physics::print(name, record, std::cout, is_level);
   std::cout.flush();
   problems += problemsOf(record, is_level).empty() ? 0 : 1;
-  return record;
-}
-
-/// The lowest, the middle and the highest of each value.
-void summarize(const std::string& name, const Records& records) {
-  const auto spread = [&](double unit, const auto& valueOf) {
-    std::vector<double> values;
-    std::transform(records.begin(), records.end(), std::back_inserter(values), valueOf);
-    std::sort(values.begin(), values.end());
-    for (const double value : {values.front(), values[values.size() / 2], values.back()}) {
-      std::cout << std::setw(8) << value / unit;
-    }
-    std::cout << "  ";
-  };
-  std::cout << std::left << std::setw(18) << name << std::right << std::fixed << std::setprecision(0);
-  spread(1e-3, [](const Record& record) { return record.walked[0]; });
-  spread(1e-3, [](const Record& record) { return record.walked[1]; });
-  std::cout << std::setprecision(3);
-  spread(1, [](const Record& record) { return record.walked[2]; });
-  std::cout << std::setprecision(1);
-  spread(1e-3, [](const Record& record) { return record.lowest_lift; });
-  std::cout << '\n';
 }
 
 void print(const std::string& name, const physics::Rise& rise) {
@@ -88,15 +62,12 @@ void tryToStandUp(const std::vector<World>& worlds) {
 
 void tryOut(const Options& options) {
   const auto limits = physics::walkLimits();
-  const auto directions = physics::directionsWithin(limits);
   const std::vector<World> worlds = physics::sampleOfWorlds(options.worlds, options.seed);
-  std::map<std::string, Records> records;
   for (std::size_t i = 0; i < worlds.size(); ++i) {
     std::cout << '\n' << i << ": " << describe(worlds[i]) << '\n';
     physics::printHeader(std::cout);
-    for (const physics::Direction& direction : directions) {
-      records[direction.name].push_back(
-          tryOut(direction.name, worlds[i], physics::always(direction.velocity), kSecondsOfDirection));
+    for (const physics::Direction& direction : physics::directionsWithin(limits)) {
+      tryOut(direction.name, worlds[i], physics::always(direction.velocity), kSecondsOfDirection);
     }
     tryOut("random, a minute", worlds[i], physics::randomly(limits, static_cast<unsigned>(i)),
            kSecondsOfRandomCommands);
@@ -106,12 +77,6 @@ void tryOut(const Options& options) {
     }
   }
   tryToStandUp(worlds);
-  std::cout << "\nlowest, middle and highest of " << worlds.size() << " worlds\n"
-            << "                             forward mm/s              sideways mm/s               turn rad/s      "
-               "           least lift mm\n";
-  for (const physics::Direction& direction : directions) {
-    summarize(direction.name, records[direction.name]);
-  }
   std::cout << '\n' << problems << " trials with problems\n";
 }
 

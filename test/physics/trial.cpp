@@ -119,7 +119,6 @@ class Recorder {
       record_.walked[axis] /= record_.seconds;
       record_.gain[axis] = squares_[axis] > 0 ? products_[axis] / squares_[axis] : 0;
     }
-    record_.lowest_lift = quantile(lifts_, 0);
     record_.usual_lift = quantile(lifts_, 0.05);
     record_.at_full_duty = static_cast<double>(frames_at_full_duty_) / (kLegJoints * frames_);
     record_.legs_touch = static_cast<double>(frames_of_touches_) / frames_;
@@ -372,8 +371,8 @@ std::vector<std::string> problemsOf(const Record& record, bool on_level_ground) 
 }
 
 void printHeader(std::ostream& out) {
-  out << "                         forward mm/s  sideways mm/s   turn rad/s  tilt  lift mm     joint   full\n"
-         "                          said    is    said    is   said    is  deg   least usual  speed   duty\n";
+  out << "                         forward mm/s  sideways mm/s   turn rad/s  tilt  lift  joint   full\n"
+         "                          said    is    said    is   said    is   deg    mm  speed   duty\n";
 }
 
 void print(const std::string& name, const Record& record, std::ostream& out, bool on_level_ground) {
@@ -382,9 +381,9 @@ void print(const std::string& name, const Record& record, std::ostream& out, boo
     out << std::setw(7) << 1000 * record.commanded[axis] << std::setw(6) << 1000 * record.walked[axis] << ' ';
   }
   out << std::setprecision(2) << std::setw(7) << record.commanded[2] << std::setw(6) << record.walked[2]
-      << std::setprecision(1) << std::setw(6) << record.highest_tilt * 180 / M_PI << std::setw(7)
-      << 1000 * record.lowest_lift << std::setw(6) << 1000 * record.usual_lift << std::setprecision(2) << std::setw(7)
-      << record.highest_speed << std::setprecision(3) << std::setw(7) << record.at_full_duty;
+      << std::setprecision(1) << std::setw(6) << record.highest_tilt * 180 / M_PI << std::setw(6)
+      << 1000 * record.usual_lift << std::setprecision(2) << std::setw(7) << record.highest_speed
+      << std::setprecision(3) << std::setw(7) << record.at_full_duty;
   std::string separator = "  ";
   for (const std::string& problem : problemsOf(record, on_level_ground)) {
     out << separator << problem;

@@ -27,8 +27,7 @@ struct Record {
 
   double highest_tilt = 0;     ///< radian
   bool fell = false;           ///< tilted by more than 45 degrees, or touched the floor with more than its legs
-  double lowest_lift = 0;      ///< m; of all steps of all feet, the one that was lifted least
-  double usual_lift = 0;       ///< m; exceeded by 95 of 100 steps
+  double usual_lift = 0;       ///< m; of all feet, exceeded by 95 of 100 steps
   double highest_speed = 0;    ///< of a leg's joint, in parts of its limit
   double commanded_speed = 0;  ///< the same as commanded
   double at_full_duty = 0;     ///< share of the legs' motors and frames
