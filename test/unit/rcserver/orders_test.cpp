@@ -242,30 +242,6 @@ TEST_F(OrdersTest, DemandLettingGoIfTheyTakeOrHoldALeg) {
   EXPECT_THAT(answersTo(1, kWalk), ElementsAre(HasSubstr("the connection is new; let go first")));
 }
 
-TEST(FrameClock, NeverGoesBackAndGoesOnWhenNoFrameIsReported) {
-  struct Row {
-    unsigned reported;
-    unsigned milliseconds;
-    unsigned present;
-  };
-  const std::pair<const char*, std::vector<Row>> cases[] = {
-      {"frames in time", {{100, 1000, 100}, {104, 1032, 104}}},
-      {"frames that stand still", {{100, 1000, 100}, {100, 2000, 225}, {100, 3000, 350}}},
-      {"frames that are reported late", {{100, 1000, 100}, {104, 3000, 350}, {350, 3001, 350}, {354, 3032, 354}}},
-      {"slower frames", {{100, 1000, 100}, {103, 1032, 104}, {107, 1064, 107}}},
-      {"a frame that is reported after a later one", {{104, 1000, 104}, {100, 1008, 105}}},
-      {"overflow", {{0xfffffffe, 0xfffffff0u, 0xfffffffe}, {2, 16, 2}, {2, 32, 4}}},
-  };
-  for (const auto& [name, rows] : cases) {
-    FrameClock clock;
-    EXPECT_EQ(clock.Present(500), 0u) << "no frame is known";
-    for (const Row& row : rows) {
-      clock.Report(row.reported, row.milliseconds);
-      EXPECT_EQ(clock.Present(row.milliseconds), row.present) << name << ", " << row.milliseconds;
-    }
-  }
-}
-
 TEST(FrameClock, MistrustsWhatComesAfterAPauseOfHalfASecondFor100Milliseconds) {
   for (const unsigned pause : {499U, 500U}) {
     FrameClock clock;

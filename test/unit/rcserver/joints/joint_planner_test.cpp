@@ -350,17 +350,6 @@ TEST(JointPath, ChangesItsSpeedByItsAccelerationAtMost) {
       {"stops", 35, 10, 1170, 4, [](JointPath& m) { m.Stop(1); }, {25, 15, 5}},
       {"stops faster than its low acceleration", 35, 1, 10000, 40, [](JointPath& m) { m.Stop(10); }, {25, 15, 5}},
       {"brakes to a lower limit", 30, 10, 120, 3, [](JointPath& m) { m.LimitStep(5); }, {20, 10, 5, 5, 5, 5, 5, 5}},
-      {"a lower acceleration waits", 30, 10, 150, 3, [](JointPath& m) { m.LimitAcceleration(1); }, {30, 30, 20, 10}},
-      {"takes a higher acceleration at the next target",
-       30,
-       1,
-       960,
-       1,
-       [](JointPath& m) {
-         m.LimitAcceleration(10);
-         m.Aim(147);
-       },
-       {11, 21, 28, 28, 28, 20, 10}},
   };
   for (const Path& row : rows) {
     JointPath motion;

@@ -15,7 +15,6 @@ namespace {
 using protocol::version2::Velocity;
 using robot_model::Leg;
 using robot_model::LegAngles;
-using robot_model::Point;
 
 constexpr double kFrame = 0.008;  // s
 constexpr Leg kLegs[] = {robot_model::LEFT_FRONT_LEG, robot_model::LEFT_HIND_LEG, robot_model::RIGHT_FRONT_LEG,
@@ -29,20 +28,10 @@ double angleOf(const LegAngles& angles, int number) {
 
 class GaitTest : public ::testing::Test {
  protected:
-  Legs legs(double phase, const Velocity& velocity, double effort = 1) const {
+  Legs legs(double phase, const Velocity& velocity) const {
     Legs angles;
-    gait_.FindPosture(phase - std::floor(phase), velocity, effort, angles.data());
+    gait_.FindPosture(phase - std::floor(phase), velocity, 1, angles.data());
     return angles;
-  }
-
-  // A foot seen from the floor below the body: without the body's lean.
-  Point foot(Leg leg, double phase, const Velocity& velocity, double effort = 1) const {
-    const Point in_body = findFoot(leg, legs(phase, velocity, effort)[static_cast<std::size_t>(leg)]);
-    const StepParameters step = gait_.StepAt(velocity);
-    const double sine = std::sin(step.nose_down);
-    const double cosine = std::cos(step.nose_down);
-    return {in_body.x * cosine + in_body.z * sine, in_body.y,
-            in_body.z * cosine - in_body.x * sine + step.height - robot_model::FOOT_RADIUS};
   }
 
   // Velocities all around the limits, where they are farthest from 0, and within them.
@@ -62,27 +51,6 @@ class GaitTest : public ::testing::Test {
   const Gait gait_;
   const robot_model::RobotModel& robot_ = *robot_model::findRobotModel("ERS-7");
 };
-
-TEST_F(GaitTest, MovesFeetOnTheFloorWithTheFloor) {
-  const Velocity velocity = gait_.Limited({0.05, 0.02, 0.3});
-  const StepParameters step = gait_.StepAt(velocity);
-  const double phase_of_frame = kFrame / step.period;
-  for (const Leg leg : kLegs) {
-    Point middle = findShoulder(leg);  // where the foot is on average, seen from the floor
-    middle.x += isFront(leg) ? step.front_ahead : step.hind_ahead;
-    middle.y += (isLeft(leg) ? 1 : -1) * (isFront(leg) ? step.front_outward : step.hind_outward);
-    for (double phase = 0; phase < 1; phase += 0.01) {
-      if (!Gait::IsOnFloor(step, leg, phase) || !Gait::IsOnFloor(step, leg, std::fmod(phase + phase_of_frame, 1))) {
-        continue;
-      }
-      const Point here = foot(leg, phase, velocity);
-      const Point next = foot(leg, phase + phase_of_frame, velocity);
-      EXPECT_NEAR((next.x - here.x) / kFrame, -velocity.forward + velocity.turn * middle.y, 1e-6);
-      EXPECT_NEAR((next.y - here.y) / kFrame, -velocity.left - velocity.turn * middle.x, 1e-6);
-      EXPECT_NEAR(here.z, 0, 1e-9);
-    }
-  }
-}
 
 TEST_F(GaitTest, SharesTheSpeedOfTheLegsAndKeepsTheDirection) {
   const GaitParameters& gait = gait_.Parameters();

@@ -61,25 +61,6 @@ class PosturesTest : public ::testing::Test {
                                {90 * kDegree, 0, 120 * kDegree}}};
 };
 
-TEST_F(PosturesTest, AreAllowed) {
-  const robot_model::RobotModel& robot = *robot_model::findRobotModel("ERS-7");
-  for (int posture = Postures::STAND; posture < Postures::NUMBER_OF_STAGES; ++posture) {
-    std::array<int, robot_model::MAX_JOINTS> joints{};
-    clampPosture(robot, joints.data());
-    for (int leg = 0; leg < robot_model::NUMBER_OF_LEGS; ++leg) {
-      const LegAngles& angles = postures_.Legs(posture)[leg];
-      const double values[] = {angles.rotator, angles.elevator, angles.knee};
-      for (int number = 0; number < robot_model::JOINTS_OF_A_LEG; ++number) {
-        const int joint = findJointByIdentifier(robot, legJointIdentifier(static_cast<Leg>(leg), number));
-        joints[static_cast<std::size_t>(joint)] = static_cast<int>(values[number] * 1e6);
-      }
-    }
-    auto clamped = joints;
-    clampPosture(robot, clamped.data());
-    EXPECT_EQ(clamped, joints) << posture;
-  }
-}
-
 TEST_F(PosturesTest, AreReachedThroughTheStandAndFromOthersByLyingDownFirst) {
   using P = Postures;
   const Legs sits = legs(POSTURE_SIT);
