@@ -108,34 +108,6 @@ TEST_F(Orders, EndWithTheirConnectionWithoutACall) {
   EXPECT_EQ("", recorder_.reports().orders);
 }
 
-// When the end of the stream is reported, the connection still exists for users, but no request is sent any more.
-TEST_F(Orders, ThatComeWhileTheConnectionEndsEndWithIt) {
-  RcServerClient* self = nullptr;
-  std::future<std::string> motion;
-  Callbacks callbacks = recorder_.callbacks();
-  callbacks.on_streaming = [&](bool streaming) {
-    if (!streaming) {
-      const auto later = std::chrono::steady_clock::now() + kSafetyNet;
-      motion = self->beginMotion("NOD.MTN", 1, kSafetyNet, {later, 71});
-      self->commandJoints({{1, 0.1}}, milliseconds(0), {later, 72});
-      self->commandJoints({{1, 0.2}}, milliseconds(0), {later, 73});  // replaces it
-    }
-  };
-  RcServerClient client(optionsFor(server_), callbacks);
-  self = &client;
-  client.setStreaming(true);
-  ScriptedPeer peer = connectVersion2(&client);
-  EXPECT_EQ('W', peer.readRequest().header.kind);
-  peer.reset();
-  EXPECT_TRUE(recorder_.waitForState(ConnectionState::kDisconnected));
-  EXPECT_FALSE(wasSent(&motion));
-  EXPECT_EQ("", recorder_.reports().orders);
-  ScriptedPeer next = connectVersion2(&client);
-  EXPECT_EQ('W', next.readRequest().header.kind);
-  client.commandLeds({{200, 1}});
-  EXPECT_EQ('L', next.readRequest().header.kind) << "the first order that is sent";
-}
-
 // Some are sent, some wait for an answer, and some have not reached the client's thread, which is kept in a callback
 // until the connection has ended.
 TEST_F(Orders, DoNotOutliveTheConnection) {

@@ -107,38 +107,6 @@ TEST_F(RcServerClientTest, ACallbackThatThrowsIsLoggedAndTheStreamGoesOn) {
   EXPECT_TRUE(eventually([&] { return recorder.logged("on_picture threw an exception: the disk is full") == 2; }));
 }
 
-TEST_F(RcServerClientTest, APictureThatHasWaitedForACallbackIsDropped) {
-  Callbacks callbacks = recorder_.callbacks();
-  std::promise<void> in_callback;
-  std::promise<void> release;
-  callbacks.on_picture = [&, record = callbacks.on_picture, is_first = true](const PicturePtr& picture) mutable {
-    record(picture);
-    if (std::exchange(is_first, false)) {
-      in_callback.set_value();
-      release.get_future().wait();
-    }
-  };
-  RcServerClient client(optionsFor(server_), callbacks);
-  client.setStreaming(true);
-  client.start();
-  ScriptedPeer peer = acceptStream();
-  unsigned last = 0;
-  const auto send = [&] { peer.sendPicture(test_pictures::makeNumbered(++last)); };
-  const auto begun = in_callback.get_future();
-  ASSERT_TRUE(eventually([&] {
-    send();
-    return begun.wait_for(milliseconds(10)) == std::future_status::ready;
-  }));
-  send();
-  const auto waits = test_pictures::makeNumbered(last);
-  std::this_thread::sleep_for(milliseconds(150));
-  release.set_value();
-  sendUntilDelivered(client, send);
-  for (const PicturePtr& picture : recorder_.reports().pictures) {
-    EXPECT_NE(picture->jpeg, waits);
-  }
-}
-
 TEST_F(RcServerClientTest, ConnectsOnceIfStartedTwice) {
   client_.start();
   client_.start();
@@ -311,23 +279,6 @@ TEST_F(ACallThatWaits, HasNoFaultOfItsOwnWhenItsTimeIsOverButItsConnectionHas) {
   EXPECT_TRUE(eventually([this] { return client_.status().fault == FaultKind::kSilent; }));
   EXPECT_THAT(client_.status().reason, HasSubstr("did not answer the request to take a picture within 100 ms"));
   EXPECT_EQ(1u, client_.statistics().stalls);
-}
-
-TEST_F(ACallThatWaits, IsRefusedFromACallbackInsteadOfWaitingForItself) {
-  std::promise<std::string> complaint;
-  RcServerClient* self = nullptr;
-  Callbacks callbacks;  // the others are empty
-  callbacks.on_picture = [&](const PicturePtr&) {
-    EXPECT_THROW(self->waitForConnection(kSafetyNet), Exception);
-    complaint.set_value(refusalOf<Exception>([&] { self->takePicture(0, kSafetyNet); }));
-  };
-  RcServerClient client(optionsFor(server_), callbacks);
-  self = &client;
-  client.setStreaming(true);
-  client.start();
-  ScriptedPeer peer = acceptStream();
-  sendUntilDelivered(client, [&] { peer.sendPicture(test_pictures::make()); });
-  EXPECT_THAT(complaint.get_future().get(), HasSubstr("cannot be called from a callback"));
 }
 
 }  // namespace

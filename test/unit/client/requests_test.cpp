@@ -254,6 +254,7 @@ TEST_F(Requests, ThatWaitAreRefusedInACallback) {
   Callbacks callbacks;
   callbacks.on_telemetry = [&](const Telemetry&) {
     std::string words;
+    EXPECT_THROW(self->waitForConnection(milliseconds(1)), Exception);
     for (const CallRow& row : kCalls) {
       const std::string complaint = refusalOf<Exception>([&] { row.call(*self, milliseconds(1)); });
       words += complaint.find("cannot be called from a callback") == std::string::npos ? row.words : "";

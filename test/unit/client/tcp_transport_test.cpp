@@ -39,22 +39,6 @@ FaultKind faultOf(const Call& call) {
   return FaultKind::kInternal;
 }
 
-TEST(TcpTransportTest, BytesGoBothWays) {
-  ScriptedServer server;
-  TcpTransport transport;
-  transport.connect("localhost", server.port(), soon());
-  ScriptedPeer peer = server.accept();
-  const std::uint8_t request[] = {'F', 85};
-  transport.send(request, sizeof request);
-  EXPECT_EQ(85, peer.readCommand().identifier);
-  std::uint8_t buffer[16];
-  EXPECT_EQ(0u, transport.receive(buffer, sizeof buffer));
-  peer.send({1, 2, 3});
-  ASSERT_TRUE(transport.wait(soon()).connection);
-  EXPECT_EQ(3u, transport.receive(buffer, sizeof buffer));
-  EXPECT_FALSE(transport.wait(in(milliseconds(1))).connection);
-}
-
 TEST(TcpTransportTest, EachKindOfFailureIsRecognised) {
   ScriptedServer absent;
   absent.vanish();
@@ -104,15 +88,6 @@ TEST(TcpTransportTest, TheRobotsCloseAndResetAreFaults) {
     ASSERT_TRUE(transport.wait(soon()).connection);
     EXPECT_EQ(FaultKind::kClosed, faultOf([&] { transport.receive(buffer, sizeof buffer); })) << resets;
   }
-}
-
-TEST(TcpTransportTest, AWaitIsShortAndEndsAtOnceIfItIsWokenUpBefore) {
-  TcpTransport transport;
-  const TimePoint end = soon();
-  EXPECT_FALSE(transport.wait(end).connection);
-  transport.wakeUp();
-  EXPECT_FALSE(transport.wait(end).connection);
-  EXPECT_LT(std::chrono::steady_clock::now(), end);
 }
 
 TEST(TcpTransportTest, ANameLookupThatHangsIsTakenUpAgainByTheNextAttempt) {

@@ -150,6 +150,14 @@ TEST_F(Version2SessionTest, PicturesHaveTheirNumbersAndTwoThatCameTogetherAre1Ns
   EXPECT_EQ(now_ + std::chrono::nanoseconds(1), pictures_[1]->first_byte_time);
 }
 
+TEST_F(Version2SessionTest, APictureThatHasWaitedForTheClientsThreadIsNotDelivered) {
+  stream();
+  now_ += milliseconds(150);
+  pushPicture(1);
+  EXPECT_THAT(pictures_, IsEmpty());
+  EXPECT_EQ(1u, counters_.stale_pictures);
+}
+
 TEST_F(Version2SessionTest, PicturesOfAStoppedStreamAreDroppedAndAFaultIfTheyDoNotEnd) {
   stream();
   wanted_.streaming = false;
