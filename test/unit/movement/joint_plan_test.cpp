@@ -264,33 +264,12 @@ TEST_F(JointPlanTest, ATrajectoryThatCannotBeginWhenItsTimeComesSaysWhy) {
   EXPECT_THAT(refusal(both(0.5, -0.2, 1), 2, 2), HasSubstr("mouth was last measured")) << "each joint counts";
 }
 
-TEST_F(JointPlanTest, HoldsACommandedJointOnItsWay) {
-  measure(0, 0.9);
-  command({{kPan, {kPan, 0.1, 0.5}}}, 0);
-  measure(0.5, 0.88);
-  EXPECT_NEAR(plan_.holdingTargets(at(0.5)).at(kPan).position, 0.65, 1e-6);
-  EXPECT_NEAR(plan_.holdingTargets(at(0.5)).at(kPan).speed, 0.5, 1e-9);
-  EXPECT_NEAR(plan_.holdingTargets(at(2)).at(kPan).position, 0.1, 1e-6) << "it may still wait for the link";
-  EXPECT_THAT(plan_.holdingTargets(at(4)), IsEmpty());
-}
-
 TEST_F(JointPlanTest, AJointWhoseCommandWasStoppedIsNotOnItsWayAnyMore) {
   const auto commanded = command({{kPan, {kPan, 1.0, 0.5}}}, 0);
   plan_.forget(commanded);
   EXPECT_THAT(plan_.holdingTargets(at(1)), IsEmpty()) << "another stop does not move it on";
   measure(1, 0.1);
   EXPECT_NEAR(wanted(add(pan({{1, {0.3}, {}}}), 1, 1), 1), 0.1, 1e-6) << "it begins where it is";
-}
-
-TEST_F(JointPlanTest, HoldsAJointOfATrajectoryWhereItWasSent) {
-  const auto head = add(pan({{1, {1}, {}}}), 0, 0);
-  const auto mouth = add({{"mouth"}, {{1, {-0.2}, {}}}}, 0, 0);
-  run(0, 0.32);
-  const JointTargets targets = plan_.holdingTargets(at(0.34));
-  EXPECT_NEAR(targets.at(kPan).position, sent_[kPan], 1e-9) << "not back to where it is";
-  EXPECT_THAT(targets, testing::SizeIs(2));
-  EXPECT_THAT(plan_.holdingTargets(at(0.34), mouth), testing::SizeIs(1));
-  EXPECT_THAT(plan_.holdingTargets(at(0.34), head), ElementsAre(testing::Key(kPan)));
 }
 
 TEST_F(JointPlanTest, SaysWhatMovesUntilItIsMeasuredWhereItWasSent) {
@@ -301,17 +280,6 @@ TEST_F(JointPlanTest, SaysWhatMovesUntilItIsMeasuredWhereItWasSent) {
   EXPECT_TRUE(plan_.goesOnAfter(head, EndedHow::kDone)) << "all is sent, but not measured";
   follow(1.984, 2.1);
   EXPECT_EQ(endOf(head), EndedHow::kDone);
-  EXPECT_TRUE(plan_.empty());
-}
-
-TEST_F(JointPlanTest, ATrajectoryWhoseArrivalIsNotMeasuredStaysUntilItIsForgotten) {
-  const auto head = add(pan({{1, {0.5}, {}}}), 0, 0, {});
-  follow(0, 0.8);
-  EXPECT_TRUE(plan_.goesOnAfter(head, EndedHow::kDone));
-  follow(0.832, 5);
-  EXPECT_FALSE(plan_.goesOnAfter(head, EndedHow::kDone)) << "all is sent";
-  EXPECT_FALSE(endOf(head));
-  plan_.forget(head);
   EXPECT_TRUE(plan_.empty());
 }
 
@@ -376,15 +344,6 @@ TEST_F(JointPlanTest, GoesOnAsPlannedAfterAStallOfUpTo200Milliseconds) {
     EXPECT_NEAR(duration<double>(*plan_.endOf(id) - at(start)).count(), 2 + lost, 1e-3) << stall;
     plan_.forget(id);
   }
-}
-
-TEST_F(JointPlanTest, ResumesAfterAHoldUp) {
-  const auto fate = add(pan({{2, {1}, {}}}), 0, 0);
-  run(0, 0.512);
-  measure(1.5);
-  advance(1.5);
-  EXPECT_NEAR(wanted(fate, 1.5), 0.512 / 2 + 0.016, 0.002);
-  EXPECT_NEAR(duration<double>(*plan_.endOf(fate) - at(0)).count(), 3.5 - 0.544, 0.002);
 }
 
 }  // namespace

@@ -7,18 +7,6 @@
 namespace aibo_driver::movement {
 namespace {
 
-TEST(JointTable, ListsTheServosOfTheErs7InRadians) {
-  const JointTable table("ERS-7", 100);
-  ASSERT_EQ(table.size(), 18u);
-  const auto pan = table.findByName("head_pan");
-  ASSERT_TRUE(pan);
-  EXPECT_EQ(table[*pan].id, 2);
-  EXPECT_NEAR(table[*pan].lowest, -1.535890, 1e-6);  // -88 degrees
-  EXPECT_NEAR(table[*pan].highest, 1.535890, 1e-6);
-  EXPECT_NEAR(table.speedLimit(*pan), 10.05746, 1e-5);
-  EXPECT_EQ(table.findById(2), pan);
-}
-
 TEST(JointTable, ScalesTheLowerOfTwoSpeedLimits) {
   JointTable table("ERS-7", 4);
   for (const double scale : {1.0, 0.5}) {

@@ -1048,22 +1048,5 @@ TEST(Goal, ThatIsCancelledOrStoppedByAVelocityOf0Brakes) {
   }
 }
 
-TEST_F(MoverTest, EachChangeIsToldAndThatTheJointsHaveToBeMovedOn) {
-  int changes = 0;
-  int begins = 0;
-  Mover::Listener listener;
-  listener.on_change = [&] { ++changes; };
-  listener.on_begin = [&] { ++begins; };
-  mover.setListener(listener);
-  command("head_pan", 0.5);
-  EXPECT_EQ(changes, 1);
-  EXPECT_FALSE(mover.advance());
-  follow("head_pan", 0.5);
-  EXPECT_EQ(begins, 1);
-  EXPECT_TRUE(mover.advance());
-  mover.stop(order());
-  EXPECT_FALSE(mover.advance());
-}
-
 }  // namespace
 }  // namespace aibo_driver::movement

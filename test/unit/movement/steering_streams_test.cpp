@@ -9,8 +9,8 @@ class SteeringStreamsTest : public ::testing::Test {
  protected:
   static SteadyTime at(int time) { return SteadyTime(std::chrono::milliseconds(100000 + time)); }
 
-  std::string receive(int time, const std::string& node = "/a", bool is_zero = false) {
-    return streams_.receive({node, at(time)}, is_zero, at(time));
+  std::string receive(int time, const std::string& node = "/a") {
+    return streams_.receive({node, at(time)}, false, at(time));
   }
 
   void overrule(int time, const std::string& what) { streams_.overrule(at(time), what); }
@@ -18,33 +18,11 @@ class SteeringStreamsTest : public ::testing::Test {
   SteeringStreams streams_;
 };
 
-TEST_F(SteeringStreamsTest, AStreamThatWasOverruledCountsAgainAfterAZeroOrAPause) {
-  EXPECT_EQ(receive(0), "");
-  overrule(50, "stop was called");
-  EXPECT_EQ(receive(100), "stop was called");
-  EXPECT_EQ(receive(200), "stop was called");
-  EXPECT_EQ(receive(300, "/a", true), "");
-  EXPECT_EQ(receive(400), "");
-  overrule(450, "stop was called");
-  EXPECT_EQ(receive(899), "stop was called");
-  EXPECT_EQ(receive(1399), "");
-}
-
 TEST_F(SteeringStreamsTest, WhatWaitedWhileTheProcessWasHeldUpIsNoPause) {
   receive(0);
   overrule(50, "stop was called");
   EXPECT_EQ(streams_.receive({"/a", at(100)}, false, at(1100)), "stop was called");
   EXPECT_EQ(receive(1200), "stop was called");
-}
-
-TEST_F(SteeringStreamsTest, WhoLetsGoLetsGoForHimselfAlone) {
-  receive(0, "/stuck");
-  receive(0, "/joystick");
-  overrule(50, "stop was called");
-  receive(100, "/joystick", true);
-  EXPECT_EQ(receive(100, "/stuck"), "stop was called");
-  EXPECT_EQ(receive(200, "/joystick"), "");
-  EXPECT_TRUE(streams_.goesOn("/stuck", at(599))) << "though it does not count";
 }
 
 TEST_F(SteeringStreamsTest, AStreamCountsIfItBeganLaterThanWhatOverrulesOthers) {
