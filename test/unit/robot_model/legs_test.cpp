@@ -38,16 +38,6 @@ TEST(LegsTest, ReachEveryFootOfTheJointsWholeRange) {
   }
 }
 
-TEST(LegsTest, StretchTowardsAFootTooFarAway) {
-  for (const Leg leg : kLegs) {
-    const Point shoulder = findShoulder(leg);
-    const Point foot = findFoot(leg, findLegAngles(leg, {shoulder.x, shoulder.y, -0.3}));
-    EXPECT_NEAR(foot.x, shoulder.x, 1e-3);
-    EXPECT_NEAR(foot.y, shoulder.y, 1e-3);
-    EXPECT_LT(foot.z, -0.134);
-  }
-}
-
 const double DEGREE = M_PI / 180;
 
 TEST(Head, ComesAsCloseAsItCanToWhatItCannotSee) {

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cmath>
-#include <random>
 
 namespace robot_model {
 namespace {
@@ -55,43 +54,6 @@ TEST(CoupledLimits, KeepTheLegsOffTheBody) {
 TEST(CoupledLimits, KeepTheHeadOffTheNeckAlsoWhileTheMouthIsWideOpen) {
   expectEdges("neck_tilt", "head_tilt", {{-75, -39, 5}, {-38, 0, -5}});
   expectEdges("mouth", "head_tilt", {{-55, -31, 5}, {-30, -3, -5}});
-}
-
-// As robot_model::Coupling promises. The planning of movements relies on it.
-TEST(CoupledLimits, NeverRestrictMoreBetweenTwoPositionsThanAtOneOfThem) {
-  for (int i = 0; i < ers7().number_of_couplings; ++i) {
-    const Coupling& coupling = ers7().couplings[i];
-    bool rising = false;
-    for (int row = 1; row < coupling.number_of_rows; ++row) {
-      EXPECT_LT(coupling.rows[row - 1].from, coupling.rows[row].from) << "coupling " << i << ", row " << row;
-      EXPECT_LT(coupling.rows[row - 1].to, coupling.rows[row].to) << "coupling " << i << ", row " << row;
-      const bool rises = coupling.rows[row].lowest > coupling.rows[row - 1].lowest;
-      EXPECT_TRUE(rises || !rising) << "coupling " << i << ", row " << row;
-      rising = rises;
-    }
-  }
-}
-
-TEST(ClampPosture, DoesNotChangeAnAllowedPosture) {
-  std::mt19937 random(1);
-  for (const char* design : {"ERS-7", "ERS-210"}) {
-    const RobotModel& model = *findRobotModel(design);
-    for (int round = 0; round < 1000; ++round) {
-      Posture posture;
-      for (int& position : posture) {
-        position = std::uniform_int_distribution<int>(-2800000, 2800000)(random);
-      }
-      clampPosture(model, posture.data());
-      for (int i = 0; i < model.number_of_joints; ++i) {
-        EXPECT_THAT(posture[static_cast<size_t>(i)],
-                    testing::AllOf(testing::Ge(lowestPosition(model, i, posture.data())),
-                                   testing::Le(model.joints[i].highest)));
-      }
-      Posture again = posture;
-      clampPosture(model, again.data());
-      EXPECT_EQ(again, posture);
-    }
-  }
 }
 
 }  // namespace
