@@ -130,20 +130,5 @@ TEST(MemoryStickTest, HasConfigurationFilesOfAnyEditor) {
   EXPECT_EQ(objectError(openConfiguration(stick.path("OBJECT.CFG")).str()), "");
 }
 
-TEST(MemoryStickTest, FindsAFileIgnoringCase) {
-  const test_support::TemporaryFolder stick;
-  stick.write("Open-R/mw/CONF/object.cfg", "x");
-  EXPECT_TRUE(std::filesystem::equivalent(findOnMemoryStick(stick.path(), "OPEN-R/MW/CONF/OBJECT.CFG"),
-                                          stick.path() / "Open-R/mw/CONF/object.cfg"));
-}
-
-TEST(MemoryStickTest, NamesTheMissingFolderAndItsParent) {
-  const test_support::TemporaryFolder stick;
-  stick.write("OPEN-R/MW/x", "");
-  EXPECT_THAT(problemOf([&] { findOnMemoryStick(stick.path(), "OPEN-R/MW/CONF/OBJECT.CFG"); }),
-              AllOf(HasSubstr("OPEN-R/MW/CONF/OBJECT.CFG"), HasSubstr("no CONF in " + stick.path().string())));
-  EXPECT_THAT(problemOf([&] { findOnMemoryStick(stick.path() / "nowhere", "OPEN-R"); }), HasSubstr("nowhere"));
-}
-
 }  // namespace
 }  // namespace openr_host

@@ -7,7 +7,6 @@
 #include <cstring>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -15,23 +14,17 @@
 
 namespace openr_host {
 
-/// A robot that records what happens to it. Its camera has an image in the frames that a test chooses. Its sensors have
-/// one entry, whose value in each frame is the frame's number. Its joints accept odataJOINT_COMMAND2 and are the
-/// primitives 1 to 20.
+/// A robot that records what happens to it. It has no camera. Its sensors have one entry, whose value in each frame is
+/// the frame's number. Its joints accept odataJOINT_COMMAND2 and are the primitives 1 to 20.
 class FakeRobot : public VirtualRobot {
  public:
   ~FakeRobot() override {
-    for (RCRegion* region : {image_, sensors_}) {
-      if (region != nullptr) {
-        region->RemoveReference();
-      }
+    if (sensors_ != nullptr) {
+      sensors_->RemoveReference();
     }
   }
 
-  std::set<longword> frames_with_image;
-  std::vector<longword> frames_captured;
   int sound_frames = 0;                                             ///< calls of passSound()
-  std::vector<std::string> calls;                                   ///< "passFrame 3"...
   std::map<longword, std::map<OPrimitiveID, slongword>> commanded;  ///< by frame and joint
 
   std::map<longword, std::vector<sword>> played;  ///< by frame
@@ -77,7 +70,6 @@ class FakeRobot : public VirtualRobot {
   }
 
   void passFrame(longword frame, const EffectorCommands& commands) override {
-    record("passFrame", frame);
     for (const auto& command : commands) {
       OJointCommandValue2 value;
       std::memcpy(&value, &command.value, sizeof(value));
@@ -86,7 +78,6 @@ class FakeRobot : public VirtualRobot {
   }
 
   RCRegion* captureSensors(longword frame) override {
-    record("captureSensors", frame);
     if (sensors_ == nullptr) {
       sensors_ = new RCRegion(sizeof(OSensorFrameVectorData) + sizeof(OSensorFrameData));
     }
@@ -102,23 +93,10 @@ class FakeRobot : public VirtualRobot {
     return sensors_;
   }
 
-  bool cameraImageDue(longword frame) override {
-    record("cameraImageDue", frame);
-    return frames_with_image.count(frame) != 0;
-  }
-
-  RCRegion* captureImage(longword frame) override {
-    frames_captured.push_back(frame);
-    if (image_ == nullptr) {
-      image_ = new RCRegion(sizeof(OFbkImageVectorData));
-    }
-    return image_;
-  }
+  bool cameraImageDue(longword) override { return false; }
+  RCRegion* captureImage(longword) override { return nullptr; }
 
  private:
-  void record(const std::string& call, longword frame) { calls.push_back(call + " " + std::to_string(frame)); }
-
-  RCRegion* image_ = nullptr;
   RCRegion* sensors_ = nullptr;
 };
 

@@ -233,34 +233,6 @@ TEST_F(IpStackTest, ClosingAListeningEndpointEndsTheListen) {
   expectAnswers({{antOperation_TCPListen, TCP_CONNECTION_CLOSED}, {antOperation_TCPClose, TCP_SUCCESS}});
 }
 
-TEST_F(IpStackTest, DataOutsideASharedBufferIsRefused) {
-  const auto endpoint = connect();
-  byte own[16];
-  post(TCPEndpointSendMsg(endpoint, own, sizeof(own)));
-  post(TCPEndpointSendMsg(endpoint, buffer_ + 1, kBufferSize));
-  send(endpoint, 0);
-  post(TCPEndpointReceiveMsg(endpoint, own, 1, sizeof(own)));
-  receive(endpoint, 1, kBufferSize + 1);
-  receive(endpoint, 0, 1);
-  receive(endpoint, 2, 1);
-  ASSERT_TRUE(haveAnswers(7));
-  EXPECT_THAT(answers_, testing::Each(Pair(testing::_, TCP_BUFFER_INVALID)));
-}
-
-TEST_F(IpStackTest, RequestsThatDoNotFitTheEndpointsStateAreInvalid) {
-  const auto endpoint = create();
-  send(endpoint, 1);
-  receive(endpoint, 1, 1);
-  send(antModuleRef(), 1);
-  close(antModuleRef());
-  listen(antModuleRef());
-  ASSERT_TRUE(haveAnswers(5));
-  listen(endpoint);
-  listen(endpoint);
-  ASSERT_TRUE(haveAnswers(6));
-  EXPECT_THAT(answers_, testing::Each(Pair(testing::_, TCP_OPERATION_INVALID)));
-}
-
 class UdpEndpointTest : public EndpointTest {
  protected:
   void record(const antEnvMsg& message) override {
@@ -320,22 +292,6 @@ TEST_F(UdpEndpointTest, ASecondReceiveIsBusyAndClosingEndsTheFirst) {
                  {antOperation_UDPReceive, UDP_CONNECTION_CLOSED},
                  {antOperation_UDPClose, UDP_SUCCESS},
                  {antOperation_UDPReceive, UDP_OPERATION_INVALID}});
-}
-
-TEST_F(UdpEndpointTest, DataOutsideASharedBufferOrTooLargeForAPacketIsRefused) {
-  const auto endpoint = create();
-  const Port port = bind(endpoint);
-  byte own[4];
-  send(endpoint, port, own, sizeof(own));
-  post(UDPEndpointReceiveMsg(endpoint, own, sizeof(own)));
-  send(endpoint, port, buffer_, 0);
-  send(endpoint, port, buffer_, 64 * 1024);
-  send(endpoint, port, buffer_, 5);
-  expectAnswers({{antOperation_UDPSend, UDP_BUFFER_INVALID},
-                 {antOperation_UDPReceive, UDP_BUFFER_INVALID},
-                 {antOperation_UDPSend, UDP_BUFFER_INVALID},
-                 {antOperation_UDPSend, UDP_MESSAGE_TOO_LONG},
-                 {antOperation_UDPSend, UDP_SUCCESS}});
 }
 
 }  // namespace

@@ -25,7 +25,6 @@ class VirtualRobotCommTest : public GateTest<VirtualRobotComm> {
     test_.system.connect("Other.Out.Data.S", "OVirtualRobotComm.Effector.OCommandVectorData.O");
     test_.system.connect("OVirtualRobotComm.Sensor.OSensorFrameVectorData.S", "Other.In.Data.O");
     test_.system.connect("OVirtualRobotComm.Sensor.OSensorFrameVectorData.S", "Mover.In.Data.O");
-    test_.system.connect("OVirtualRobotComm.FbkImageSensor.OFbkImageVectorData.S", "Viewer.In.Data.O");
     test_.system.start();
     test_.as(other_, [&] { other_.observer().DeassertReady(); });
     test_.run();
@@ -62,7 +61,6 @@ class VirtualRobotCommTest : public GateTest<VirtualRobotComm> {
   FakeRobot& robot_ = test_.robot;
   TestObject& mover_ = test_.add("Mover");
   TestObject& other_ = test_.add("Other");
-  TestObject& viewer_ = test_.add("Viewer");
   int readies_ = 0;
 };
 
@@ -101,12 +99,10 @@ TEST_F(VirtualRobotCommTest, MalformedVectorsAreRefusedWithAReasonAndTheNextOneI
       {"its type is 1025 instead of odataCOMMAND_VECTOR",
        [](auto& vector) { vector.vectorInfo.type = odataSENSOR_FRAME_VECTOR; }},
       {"its numData is 0", [](auto& vector) { vector.SetNumData(0); }},
-      {"its numData is 3, its maxNumData only 2", [](auto& vector) { vector.SetNumData(3); }},
       {"no room for numData 1000000",
        [](auto& vector) { vector.vectorInfo.numData = vector.vectorInfo.maxNumData = 1000000; }},
       {"numFrames is 17, the most is 16", [](auto& vector) { vector.GetInfo(1)->numFrames = 17; }},
       {"frameSize is 0 instead of 8", [](auto& vector) { vector.GetInfo(1)->frameSize = 0; }},
-      {"dataOffset 0 is outside the data", [](auto& vector) { vector.GetInfo(1)->dataOffset = 0; }},
       // By one value, if it has two frames.
       {"dataOffset 504 is outside the data of its region of 512 bytes",
        [](auto& vector) { vector.GetInfo(1)->dataOffset = vector.vectorInfo.totalSize - 8; }},
@@ -159,36 +155,6 @@ TEST_F(VirtualRobotCommTest, SensorReadingsReachAReadyObserverEveryFourFrames) {
   pass(9);
   EXPECT_THAT(received, ElementsAre(ElementsAre(100, 101, 102, 103), ElementsAre(104, 105, 106, 107)));
   EXPECT_EQ(robot_.sensors()->NumberOfReference(), 1);
-}
-
-TEST_F(VirtualRobotCommTest, ThereIsNoImageBeforeTheFirstSensorReadingsThatSomebodyWants) {
-  robot_.frames_with_image = {101, 106, 112};
-  test_.as(mover_, [&] { mover_.observer().DeassertReady(); });
-  test_.as(viewer_, [&] { viewer_.observer().AssertReady(); });
-  test_.run();
-  pass(8);
-  EXPECT_THAT(robot_.frames_captured, testing::IsEmpty());
-  test_.as(mover_, [&] { mover_.observer().AssertReady(); });
-  test_.run();
-  pass(8);
-  EXPECT_THAT(robot_.frames_captured, ElementsAre(112));
-}
-
-TEST_F(VirtualRobotCommTest, AfterADelayByTheHostTheMissedFramesArePassedInTurn) {
-  test_.as(mover_, [&] { mover_.observer().AssertReady(); });
-  test_.run();
-  send({makeVector({{1, {1, 2, 3}}}), makeVector({{1, {4, 5, 6}}})});
-  pass(1);
-  robot_.calls.clear();
-  jumpTo(110);
-  // The sensors were due in frames 103 and 107; only the newer one is delivered.
-  EXPECT_THAT(robot_.calls, ElementsAre("passFrame 101", "passFrame 102", "passFrame 103", "passFrame 104",
-                                        "passFrame 105", "passFrame 106", "passFrame 107", "captureSensors 107",
-                                        "passFrame 108", "passFrame 109", "passFrame 110", "cameraImageDue 110"));
-  EXPECT_THAT(robot_.commanded, ElementsAre(Pair(100, ElementsAre(Pair(1, 1))), Pair(101, ElementsAre(Pair(1, 2))),
-                                            Pair(102, ElementsAre(Pair(1, 3))), Pair(103, ElementsAre(Pair(1, 4))),
-                                            Pair(104, ElementsAre(Pair(1, 5))), Pair(105, ElementsAre(Pair(1, 6)))));
-  EXPECT_TRUE(mover_.subject().IsReady());
 }
 
 }  // namespace
