@@ -35,8 +35,8 @@ int main(int argc, char** argv) {
   Microphone microphone;  // it converts even while it is closed
   microphone.Set({0, static_cast<unsigned char>(std::atoi(argv[1])), static_cast<unsigned short>(std::atoi(argv[2]))});
   std::vector<unsigned char> message(Outbox::MAX_SOUND_SIZE);
-  std::vector<unsigned char> out(Outbox::CAPACITY);
-  auto outbox = std::make_unique<Outbox>();
+  std::vector<unsigned char> out(Outbox::MAX_SOUND_SIZE);
+  auto queue = std::make_unique<MessageQueue<Outbox::SOUND_CAPACITY>>();
   unsigned char* const payload = message.data() + version2::FRAME_HEADER_SIZE;
   std::size_t bytes = 0;
   for (int round = std::atoi(argv[3]); round > 0; --round) {
@@ -47,8 +47,8 @@ int main(int argc, char** argv) {
     const version2::FrameHeader header = {version2::SOUND_PUSH, version2::SOUND_MICROPHONE, 0,
                                           static_cast<unsigned>(bytes - version2::FRAME_HEADER_SIZE)};
     encode(header, message.data());
-    outbox->Sound().Add(message.data(), bytes);
-    outbox->Take(out.data());
+    queue->Add(message.data(), bytes);
+    queue->Take(bytes, out.data());
   }
   std::printf("%zu bytes\n", bytes);
   return 0;
