@@ -42,12 +42,12 @@ struct KeyFrameMotion {
 KeyFrameMotion parseTextForm(const std::string& text);
 
 /// Prints a motion in the text form. encodeMtn() makes the same key frames from it. Every key frame names all joints; a
-/// joint that the robot lacks is named by its locator. The robot is robotOf()'s or, if that is null, the design's.
+/// joint that the robot lacks is named by its locator. The robot is robotOf()'s or, if that is null, the file's design.
 std::string printTextForm(const mtn::Motion& motion);
 
 /// The bytes of a motion file (layout.h).
-/// @throw std::runtime_error mtn::Motion would refuse the motion, a text is too long, or the times are not ascending
-///   multiples of a frame
+/// @param motion as parseTextForm() makes it
+/// @throw std::runtime_error mtn::Motion would refuse the motion, or a text is too long
 std::string encodeMtn(const KeyFrameMotion& motion);
 
 /// How the robot's playback at full joint speed would differ from the motion, or why the robot does not play it

@@ -40,14 +40,6 @@ std::string section(std::uint32_t number, std::string content) {
   return bytes + content;
 }
 
-void checkFrame(int milliseconds) {
-  if (milliseconds < mtn::MIN_FRAME_MILLISECONDS || milliseconds > mtn::MAX_FRAME_MILLISECONDS) {
-    throw std::runtime_error("a frame of " + std::to_string(milliseconds) + " ms is outside " +
-                             std::to_string(mtn::MIN_FRAME_MILLISECONDS) + ".." +
-                             std::to_string(mtn::MAX_FRAME_MILLISECONDS) + " ms");
-  }
-}
-
 std::string generalSection(const KeyFrameMotion& motion) {
   std::string content;
   append32(content, mtn::NUMBER_OF_SECTIONS);
@@ -76,22 +68,13 @@ std::string locatorSection(const KeyFrameMotion& motion) {
   return section(2, content);
 }
 
-std::size_t interpolatedFrames(const KeyFrameMotion& motion, int milliseconds) {
-  if (milliseconds <= 0 || milliseconds % motion.frame_milliseconds != 0) {
-    throw std::runtime_error("a key frame comes " + std::to_string(milliseconds) +
-                             " ms after the one before, which is not a whole number of frames of " +
-                             std::to_string(motion.frame_milliseconds) + " ms");
-  }
-  return static_cast<std::size_t>(milliseconds / motion.frame_milliseconds - 1);
-}
-
 std::string keyFrameSection(const KeyFrameMotion& motion) {
   std::string content;
   append32(content, 0);
   for (std::size_t i = 0; i < motion.key_frames.size(); ++i) {
     if (i > 0) {
       const int step = motion.key_frames[i].milliseconds - motion.key_frames[i - 1].milliseconds;
-      append32(content, interpolatedFrames(motion, step));
+      append32(content, static_cast<std::size_t>(step / motion.frame_milliseconds - 1));  // interpolated frames
     }
     content.append(mtn::VALUES_OF_BODY * mtn::VALUE_SIZE, '\0');
     for (const int position : motion.key_frames[i].positions) {
@@ -104,7 +87,6 @@ std::string keyFrameSection(const KeyFrameMotion& motion) {
 }  // namespace
 
 std::string encodeMtn(const KeyFrameMotion& motion) {
-  checkFrame(motion.frame_milliseconds);
   const std::string bytes =
       mtn::MAGIC + generalSection(motion) + textSection(motion) + locatorSection(motion) + keyFrameSection(motion);
   mtn::Motion read;

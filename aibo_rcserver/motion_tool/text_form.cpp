@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <sstream>
 #include <stdexcept>
-#include <utility>
 
 #include "motion_tool/motion_tool.h"
 #include "protocol/text.h"
@@ -16,32 +15,9 @@ namespace {
 
 constexpr double kMicroradiansPerDegree = 1e6 * 3.14159265358979323846 / 180;
 
-// Each robot and its name in Sony's motion files.
-const std::pair<const char*, const char*> kRobots[] = {{"ERS-7", "DRX-1000"}, {"ERS-210", "DRX-910"}};
-
-// The design of a robot with this name. An unknown name is returned unchanged.
+// The name of a robot in Sony's motion files. An unknown name is returned unchanged.
 std::string designOf(const std::string& robot) {
-  for (const auto& [name, design] : kRobots) {
-    if (robot == name) {
-      return design;
-    }
-  }
-  return robot;
-}
-
-// The name of the robot of this design. An unknown design is returned unchanged.
-std::string nameOf(const std::string& design) {
-  for (const auto& [name, known_design] : kRobots) {
-    if (design == known_design) {
-      return name;
-    }
-  }
-  return design;
-}
-
-// The robot of this design; null if there is none.
-const RobotModel* modelOf(const std::string& design) {
-  return robot_model::findRobotModel(nameOf(design).c_str());
+  return robot == "ERS-7" ? "DRX-1000" : robot == "ERS-210" ? "DRX-910" : robot;
 }
 
 bool isEar(const RobotModel* robot, const std::string& locator) {
@@ -104,9 +80,11 @@ class Parser {
     } else if (word == "creator") {
       motion_.creator = restOf(words);
     } else if (word == "robot") {
-      motion_.design = designOf(restOf(words));
+      const std::string name = restOf(words);
+      robot_ = robot_model::findRobotModel(name.c_str());
+      motion_.design = designOf(name);
     } else if (word == "frame") {
-      motion_.frame_milliseconds = parseNumber<int>(restOf(words), "milliseconds");
+      parseFrame(restOf(words));
     } else if (word == "at") {
       beginKeyFrame(words);
       parsePositions(words);
@@ -114,6 +92,18 @@ class Parser {
       std::istringstream positions(line);
       parsePositions(positions);
     }
+  }
+
+  void parseFrame(const std::string& word) {
+    const int frame = parseNumber<int>(word, "milliseconds");
+    if (frame < mtn::MIN_FRAME_MILLISECONDS || frame > mtn::MAX_FRAME_MILLISECONDS) {
+      throw std::runtime_error("a frame of " + word + " ms is outside " + std::to_string(mtn::MIN_FRAME_MILLISECONDS) +
+                               ".." + std::to_string(mtn::MAX_FRAME_MILLISECONDS) + " ms");
+    }
+    if (!motion_.key_frames.empty()) {
+      throw std::runtime_error("\"frame\" comes before the first \"at\"");
+    }
+    motion_.frame_milliseconds = frame;
   }
 
   void beginKeyFrame(std::istream& words) {
@@ -136,7 +126,7 @@ class Parser {
       }
     } else if (milliseconds <= motion_.key_frames.back().milliseconds) {
       throw std::runtime_error("the key frames are not in the order of their times");
-    } else if (frame > 0 && milliseconds % frame != 0) {
+    } else if (milliseconds % frame != 0) {
       const long long below = milliseconds - milliseconds % frame;
       throw std::runtime_error(std::to_string(milliseconds) + " ms is not a multiple of a frame, which has " +
                                std::to_string(frame) + " ms; " + std::to_string(below) + " and " +
@@ -160,7 +150,7 @@ class Parser {
 
   void parsePosition(const std::string& joint, const std::string& degrees) {
     const std::string locator = locatorOf(joint);
-    if (isEar(modelOf(motion_.design), locator)) {
+    if (isEar(robot_, locator)) {
       setPosition(locator, joint, parseEar(joint, degrees));
       return;
     }
@@ -183,19 +173,18 @@ class Parser {
     if (joint.rfind("PRM:", 0) == 0) {
       return joint;
     }
-    const RobotModel* robot = modelOf(motion_.design);
-    if (robot == nullptr) {
+    if (robot_ == nullptr) {
       throw std::runtime_error("which robot? \"robot ERS-7\" or \"robot ERS-210\" comes first");
     }
-    const int ear = robot_model::findEarByName(*robot, joint.c_str());
+    const int ear = robot_model::findEarByName(*robot_, joint.c_str());
     if (ear != robot_model::NO_EAR) {
-      return robot->ears[ear].locator;
+      return robot_->ears[ear].locator;
     }
-    const int index = robot_model::findJointByName(*robot, joint.c_str());
+    const int index = robot_model::findJointByName(*robot_, joint.c_str());
     if (index == robot_model::NO_JOINT) {
-      throw std::runtime_error(std::string("an ") + robot->design + " has no joint \"" + joint + "\"");
+      throw std::runtime_error(std::string("an ") + robot_->design + " has no joint \"" + joint + "\"");
     }
-    return robot->joints[index].locator;
+    return robot_->joints[index].locator;
   }
 
   void setPosition(const std::string& locator, const std::string& joint, int position) {
@@ -212,6 +201,7 @@ class Parser {
     positions[static_cast<std::size_t>(found - motion_.locators.begin())] = position;
   }
 
+  const RobotModel* robot_ = nullptr;
   KeyFrameMotion motion_;
   int line_number_ = 0;
   std::string problems_;
@@ -273,7 +263,7 @@ std::string printTextForm(const mtn::Motion& motion) {
   const RobotModel* const robot = robotOf(motion);
   std::ostringstream text;
   text << "name " << quoted(motion.name()) << "\ncreator " << quoted(motion.creator()) << "\nrobot "
-       << quoted(robot != nullptr ? robot->design : nameOf(motion.design())) << "\nframe " << motion.frameMilliseconds()
+       << quoted(robot != nullptr ? robot->design : motion.design()) << "\nframe " << motion.frameMilliseconds()
        << '\n';
   int milliseconds = 0;
   for (int key_frame = 0; key_frame < motion.numberOfKeyFrames(); ++key_frame) {

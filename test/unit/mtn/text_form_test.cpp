@@ -108,9 +108,9 @@ TEST(TextForm, NamesTheLineOfAMistake) {
       {begin + "at 16 tail_pan 1\n", "line 3: tail_pan is not in the first key frame"},
       {begin + "at 160000\n", "more than 60 s"},
       {"name " + std::string(256, 'n') + "\n" + begin, "more than 255 characters"},
-      {"frame 7\n" + begin, "a frame of 7 ms"},
-      {"frame 65552\n" + begin, "a frame of 65552 ms"},  // 16 in the two bytes of a motion file
-      {"frame 8\n" + begin + "at 24\nframe 16\n", "24 ms after the one before, which is not a whole number of frames"},
+      {"frame 7\n" + begin, "line 1: a frame of 7 ms is outside 8..1000 ms"},
+      {"frame 1001\n" + begin, "line 1: a frame of 1001 ms"},
+      {begin + "frame 16\n", "line 3: \"frame\" comes before the first \"at\""},
   };
   for (const auto& [text, problem] : rows) {
     EXPECT_THAT(problemOf(text), HasSubstr(problem)) << text;
