@@ -1,6 +1,6 @@
 #include "motion_tool/archive.h"
 
-#include <dirent.h>
+#include <fcntl.h>
 
 #include <algorithm>
 #include <cctype>
@@ -9,16 +9,15 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
-#include <memory>
 #include <set>
 #include <stdexcept>
 #include <utility>
 
+#include "host_files/file_descriptor.h"
 #include "host_files/gzip.h"
 #include "host_files/regular_file.h"
-#include "mtn/layout.h"
-
 #include "host_files/replace_file.h"
+#include "mtn/layout.h"
 
 namespace motion_tool {
 namespace {
@@ -135,14 +134,13 @@ void unpack(const std::vector<ArchivedFile>& files, const std::string& folder, b
     }
   }
   fs::create_directories(folder);
-  const std::unique_ptr<DIR, int (*)(DIR*)> opened(::opendir(folder.c_str()), ::closedir);
-  if (!opened) {
+  const host_files::FileDescriptor opened(::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+  if (!opened.valid()) {
     throw std::runtime_error(folder + " cannot be opened: " + std::strerror(errno));
   }
   for (const ArchivedFile& file : files) {
     try {
-      host_files::replaceFile(::dirfd(opened.get()), fileNameOf(file),
-                              file.content);  // a link is replaced, not followed
+      host_files::replaceFile(opened.get(), fileNameOf(file), file.content);  // a link is replaced, not followed
     } catch (const host_files::Unwritable& why) {
       throw std::runtime_error((fs::path(folder) / fileNameOf(file)).string() + " cannot be written: " + why.what());
     }
