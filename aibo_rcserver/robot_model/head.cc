@@ -29,40 +29,22 @@ double radian(int microradian) {
   return microradian * 1e-6;
 }
 
-class Head {
- public:
-  Head()
-      : model_(*findRobotModel("ERS-7")),
-        neck_(findJointByName(model_, "neck_tilt")),
-        pan_(findJointByName(model_, "head_pan")),
-        tilt_(findJointByName(model_, "head_tilt")) {
-    std::fill(posture_, posture_ + MAX_JOINTS, 0);
-    const int mouth = findJointByName(model_, "mouth");
-    posture_[mouth] = model_.joints[mouth].highest;
-  }
+Limits limitsOf(const char* joint) {
+  const RobotModel& model = *findRobotModel("ERS-7");
+  const Joint& found = model.joints[findJointByName(model, joint)];
+  const Limits limits = {radian(found.lowest), radian(found.highest)};
+  return limits;
+}
 
-  Limits Neck() const { return LimitsOf(neck_); }
-  Limits Pan() const { return LimitsOf(pan_); }
-
-  // The limits of head_tilt. They depend on the neck, because the head keeps out of its way.
-  Limits Tilt(double neck_tilt) {
-    posture_[neck_] = static_cast<int>(floor(neck_tilt * 1e6 + 0.5));
-    const Limits limits = {radian(lowestPosition(model_, tilt_, posture_)), radian(model_.joints[tilt_].highest)};
-    return limits;
-  }
-
- private:
-  Limits LimitsOf(int joint) const {
-    const Limits limits = {radian(model_.joints[joint].lowest), radian(model_.joints[joint].highest)};
-    return limits;
-  }
-
-  const RobotModel& model_;
-  const int neck_;
-  const int pan_;
-  const int tilt_;
-  int posture_[MAX_JOINTS];
-};
+// They depend on the neck, because the head keeps out of its way. The mouth is closed.
+Limits limitsOfTilt(double neck_tilt) {
+  const RobotModel& model = *findRobotModel("ERS-7");
+  int posture[MAX_JOINTS] = {0};
+  posture[findJointByName(model, "neck_tilt")] = static_cast<int>(floor(neck_tilt * 1e6 + 0.5));
+  Limits limits = limitsOf("head_tilt");
+  limits.lowest = radian(lowestPosition(model, findJointByName(model, "head_tilt"), posture));
+  return limits;
+}
 
 // A place relative to the point where the head's axes meet. x and z are in the plane of the neck, z along the neck.
 Point fromHead(const Point& place, double neck_tilt) {
@@ -74,14 +56,14 @@ Point fromHead(const Point& place, double neck_tilt) {
 }
 
 // The best pan and tilt for this angle of the neck.
-HeadAngles aim(const Point& place, double neck_tilt, Head* head) {
+HeadAngles aim(const Point& place, double neck_tilt) {
   const Point way = fromHead(place, neck_tilt);
   HeadAngles angles;
   angles.neck_tilt = neck_tilt;
-  angles.head_pan = head->Pan().Clamp(atan2(way.y, way.x));
+  angles.head_pan = limitsOf("head_pan").Clamp(atan2(way.y, way.x));
   const double ahead = way.x * cos(angles.head_pan) + way.y * sin(angles.head_pan);
   const double distance = std::max(sqrt(ahead * ahead + way.z * way.z), fabs(CAMERA_UP));
-  angles.head_tilt = head->Tilt(neck_tilt).Clamp(atan2(way.z, ahead) - asin(CAMERA_UP / distance));
+  angles.head_tilt = limitsOfTilt(neck_tilt).Clamp(atan2(way.z, ahead) - asin(CAMERA_UP / distance));
   return angles;
 }
 
@@ -107,14 +89,13 @@ double findViewError(const Point& place, const HeadAngles& angles) {
 }
 
 double findHeadAngles(const Point& place, HeadAngles* angles) {
-  Head head;
-  const Limits neck = head.Neck();
+  const Limits neck = limitsOf("neck_tilt");
   double error = 4;  // more than any angle
   double from = neck.highest;
   double to = neck.lowest;
   for (double step = FIRST_STEP; step > LAST_STEP && error > MIDDLE; step /= 10) {
     for (double tried = from; tried >= to && error > MIDDLE; tried -= step) {
-      const HeadAngles candidate = aim(place, tried, &head);
+      const HeadAngles candidate = aim(place, tried);
       const double candidate_error = findViewError(place, candidate);
       if (candidate_error < error) {
         error = candidate_error;
