@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "aibo_client/exceptions.h"
 #include "command_line/commands/commands.h"
 #include "command_line/help.h"
 #include "command_line/quantities.h"
@@ -34,11 +35,14 @@ const std::vector<Command>& allCommands() {
   return commands;
 }
 
-const Command* findCommand(const std::string& name) {
+const Command& commandNamed(const std::string& name) {
   const std::vector<Command>& commands = allCommands();
   const auto found =
       std::find_if(commands.begin(), commands.end(), [&name](const Command& each) { return each.name == name; });
-  return found == commands.end() ? nullptr : &*found;
+  if (found == commands.end()) {
+    throw aibo_client::InvalidArgumentException("there is no command '" + name + "': `aibo help` lists them");
+  }
+  return *found;
 }
 
 }  // namespace aibo_driver::command_line

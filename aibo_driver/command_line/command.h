@@ -68,8 +68,8 @@ struct Command {
 /// All commands, in the order of the help.
 const std::vector<Command>& allCommands();
 
-/// The command with this name, or null.
-const Command* findCommand(const std::string& name);
+/// @throw InvalidArgumentException there is no command with this name
+const Command& commandNamed(const std::string& name);
 
 }  // namespace aibo_driver::command_line
 

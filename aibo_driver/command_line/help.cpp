@@ -3,8 +3,6 @@
 #include <cstdio>
 #include <sstream>
 
-#include "aibo_client/exceptions.h"
-
 namespace aibo_driver::command_line {
 namespace {
 
@@ -13,16 +11,8 @@ namespace po = boost::program_options;
 constexpr const char* kCommonTitle = "Options of all commands";
 
 ExitStatus showHelp(const Arguments& arguments, Output& output) {
-  if (arguments.words.empty()) {
-    output.result(generalHelp(), Json::object({{"help", generalHelp()}}));
-    return kDone;
-  }
-  const Command* const command = findCommand(arguments.words.front());
-  if (command == nullptr) {
-    throw aibo_client::InvalidArgumentException("there is no command '" + arguments.words.front() +
-                                                "': `aibo help` lists them");
-  }
-  output.result(helpOf(*command), Json::object({{"help", helpOf(*command)}}));
+  const std::string help = arguments.words.empty() ? generalHelp() : helpOf(commandNamed(arguments.words.front()));
+  output.result(help, Json::object({{"help", help}}));
   return kDone;
 }
 

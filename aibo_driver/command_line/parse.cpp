@@ -35,14 +35,6 @@ std::size_t positionOfCommand(const std::vector<std::string>& words) {
   return std::min(at, words.size());
 }
 
-const Command& commandNamed(const std::string& name) {
-  const Command* const command = findCommand(name);
-  if (command == nullptr) {
-    throw InvalidArgumentException("there is no command '" + name + "': `aibo help` lists them");
-  }
-  return *command;
-}
-
 /// Checks the number of words against the synopsis.
 void checkNumberOfWords(const Command& command, std::size_t number) {
   std::size_t fewest = 0;
@@ -114,7 +106,6 @@ CommandLine parse(const std::vector<std::string>& words) {
     options.insert(options.begin(), line.command->options.begin(), line.command->options.end());
   }
   sortInto(rest, options, &line.arguments);
-  line.json = line.arguments.has("json");
   line.help = line.arguments.has("help");
   line.version = line.arguments.has("version");
   line.arguments.robot = addressIn(line.arguments);

@@ -13,7 +13,6 @@ namespace aibo_driver::command_line {
 struct CommandLine {
   const Command* command = nullptr;  ///< null if there is no command, only --help or --version
   Arguments arguments;
-  bool json = false;
   bool help = false;
   bool version = false;
 };

@@ -24,7 +24,7 @@ TEST_F(Parse, OptionsMayBeAnywhere) {
         Words{"move", "--duration", "2", "--port=4", "mouth=-3deg", "--host=robot", "--json", "--timeout", "6"}}) {
     const CommandLine line = parse(words);
     EXPECT_EQ(line.command->name, "move");
-    EXPECT_TRUE(line.json);
+    EXPECT_TRUE(line.arguments.has("json"));
     EXPECT_EQ(line.arguments.robot.timeout, std::chrono::seconds(6));
     EXPECT_EQ(line.arguments.robot.port, 4);
     EXPECT_EQ(line.arguments.robot.host, "robot");
