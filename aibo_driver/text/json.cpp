@@ -26,14 +26,6 @@ std::string quoted(const std::string& text) {
   return quoted + '"';
 }
 
-std::string joined(const std::vector<std::string>& parts) {
-  std::string text;
-  for (const std::string& part : parts) {
-    text += (text.empty() ? "" : ", ") + part;
-  }
-  return text;
-}
-
 }  // namespace
 
 Json::Json(const std::string& text) : text_(quoted(text)) {}
@@ -47,24 +39,22 @@ Json::Json(double value) : text_("null") {
 }
 
 Json Json::array(const std::vector<Json>& values) {
-  std::vector<std::string> parts;
-  parts.reserve(values.size());
-  for (const Json& value : values) {
-    parts.push_back(value.text_);
-  }
   Json array;
-  array.text_ = "[" + joined(parts) + "]";
+  array.text_ = "[";
+  for (const Json& value : values) {
+    array.text_ += (array.text_.size() > 1 ? ", " : "") + value.text_;
+  }
+  array.text_ += "]";
   return array;
 }
 
 Json Json::object(std::initializer_list<std::pair<std::string, Json>> members) {
-  std::vector<std::string> parts;
-  parts.reserve(members.size());
-  for (const auto& [name, value] : members) {
-    parts.push_back(quoted(name) + ": " + value.text_);
-  }
   Json object;
-  object.text_ = "{" + joined(parts) + "}";
+  object.text_ = "{";
+  for (const auto& [name, value] : members) {
+    object.text_ += (object.text_.size() > 1 ? ", " : "") + quoted(name) + ": " + value.text_;
+  }
+  object.text_ += "}";
   return object;
 }
 
