@@ -37,8 +37,6 @@ class LogLines {
   std::optional<std::string> admit(const std::string& file, int line, const std::string& text);
 
  private:
-  aibo_system::RateLimit& limitOf(const std::string& file, int line);
-
   const std::function<TimePoint()> now_;
   std::mutex mutex_;
   std::map<std::pair<std::string, int>, aibo_system::RateLimit> limits_;  ///< guarded by mutex_; none is ever removed
