@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "camera/camera_options.h"
-#include "text/number.h"
+#include "text/sentence.h"
 
 namespace aibo_driver::camera {
 namespace {

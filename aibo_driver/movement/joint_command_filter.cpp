@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "text/number.h"
+#include "text/sentence.h"
 
 namespace aibo_driver::movement {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "aibo_client/exceptions.h"
 #include "aibo_client/names.h"
-#include "text/number.h"
 #include "text/plain_text.h"
+#include "text/sentence.h"
 
 namespace aibo_driver::movement {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "aibo_client/exceptions.h"
-#include "text/number.h"
+#include "text/sentence.h"
 
 namespace aibo_driver::movement {
 namespace {

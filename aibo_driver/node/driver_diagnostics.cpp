@@ -10,7 +10,7 @@
 
 #include "camera/camera_options.h"
 #include "node/connection_message.h"
-#include "text/number.h"
+#include "text/sentence.h"
 
 namespace aibo_driver::node {
 

@@ -13,7 +13,7 @@
 #include "movement/joint_command_filter.h"
 #include "movement/joint_table.h"
 #include "movement/measured_joints.h"
-#include "text/number.h"
+#include "text/sentence.h"
 
 namespace aibo_driver::command_line {
 

@@ -8,7 +8,7 @@
 #include "command_line/commands/commands.h"
 #include "command_line/interruption.h"
 #include "command_line/quantities.h"
-#include "text/number.h"
+#include "text/sentence.h"
 
 namespace aibo_driver::command_line {
 

@@ -13,7 +13,7 @@
 #include "sound/player.h"
 #include "sound/recording.h"
 #include "sound/source.h"
-#include "text/number.h"
+#include "text/sentence.h"
 
 namespace aibo_driver::command_line {
 namespace {

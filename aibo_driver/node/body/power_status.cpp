@@ -6,7 +6,7 @@
 #include <string>
 
 #include "node/body/sensor_messages.h"
-#include "text/number.h"
+#include "text/sentence.h"
 
 namespace aibo_driver::node {
 namespace {

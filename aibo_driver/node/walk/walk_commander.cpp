@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "node/orders.h"
-#include "text/number.h"
+#include "text/sentence.h"
 
 namespace aibo_driver::node {
 namespace {

@@ -1,4 +1,4 @@
-#include "text/number.h"
+#include "text/sentence.h"
 
 #include <gmock/gmock.h>
 
