@@ -1,6 +1,5 @@
 #include "sound/player.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "aibo_client/exceptions.h"
@@ -18,8 +17,6 @@ namespace {
 // The robot frees room for 512 samples at a time, and its clock may be slower than ours.
 constexpr double kSlowestRate = 0.9 * kSoundRate;
 constexpr std::size_t kFreedAtOnce = 512;
-
-constexpr std::size_t kMostEarlyEnds = 8;
 
 /// How long to wait until there is room for one request.
 std::chrono::duration<double> timeUntilRoom(std::size_t room) {
@@ -59,14 +56,14 @@ std::optional<PlayedSound> Playback::end() const {
   return end_ ? std::optional<PlayedSound>({end_->how, describe(*end_, problem_)}) : std::nullopt;
 }
 
-std::shared_ptr<Playback> Player::play(std::unique_ptr<Source> source) {
+std::shared_ptr<Playback> Player::play(Source source) {
   const std::lock_guard<std::mutex> order(order_mutex_);
   const auto playback = std::make_shared<Playback>();
-  const std::vector<std::int16_t> first = source->read(kMostSamplesAtOnce);
+  const std::vector<std::int16_t> first = source(kMostSamplesAtOnce);
   if (first.empty()) {
     throw aibo_client::InvalidArgumentException("there is no sound in it");
   }
-  playback->next_ = source->read(kMostSamplesAtOnce);
+  playback->next_ = source(kMostSamplesAtOnce);
   playback->source_ = std::move(source);
   const aibo_client::SoundProgress progress = client_.playSamples(0, first, playback->next_.empty(), kTimeout);
   playback->number_ = progress.sound;
@@ -74,10 +71,8 @@ std::shared_ptr<Playback> Player::play(std::unique_ptr<Source> source) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     playback_ = playback;
-    const auto early = std::find_if(early_ends_.begin(), early_ends_.end(),
-                                    [&progress](const SoundEnd& end) { return end.sound == progress.sound; });
-    if (early != early_ends_.end()) {
-      playback->end_ = *early;
+    if (early_end_ && early_end_->sound == progress.sound) {
+      playback->end_ = early_end_;
     }
   }
   if (!playback->next_.empty()) {
@@ -104,11 +99,8 @@ void Player::ended(const SoundEnd& end) {
     const std::lock_guard<std::mutex> playback_lock(playback_->mutex_);
     playback_->end_ = end;
     playback_->changed_.notify_all();
-    return;
-  }
-  early_ends_.push_back(end);
-  if (early_ends_.size() > kMostEarlyEnds) {
-    early_ends_.pop_front();
+  } else {
+    early_end_ = end;
   }
 }
 
@@ -150,8 +142,7 @@ void Player::feed(Playback* playback, std::size_t room) {
           return;
         }
       }
-      const std::vector<std::int16_t> samples =
-          std::exchange(playback->next_, playback->source_->read(kMostSamplesAtOnce));
+      const std::vector<std::int16_t> samples = std::exchange(playback->next_, playback->source_(kMostSamplesAtOnce));
       is_last = playback->next_.empty();
       room = client_.playSamples(playback->number_, samples, is_last, kTimeout).room;
     }

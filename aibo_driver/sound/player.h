@@ -5,7 +5,6 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -38,7 +37,7 @@ class Playback {
 
   std::uint64_t number_ = 0;
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  std::unique_ptr<Source> source_;
+  Source source_;
   std::vector<std::int16_t> next_;  ///< samples that were read but not sent
   mutable std::mutex mutex_;
   std::condition_variable changed_;
@@ -63,7 +62,7 @@ class Player {
   /// Begins a sound. It replaces the one that plays.
   /// @throw InvalidArgumentException the source has no sound
   /// @throw the exceptions of RcServerClient::playSamples()
-  std::shared_ptr<Playback> play(std::unique_ptr<Source> source);
+  std::shared_ptr<Playback> play(Source source);
 
   /// Stops this sound or, if `playback` is null, the sound that plays. Nothing happens if it has ended.
   /// @throw the exceptions of RcServerClient::stopSound()
@@ -86,8 +85,8 @@ class Player {
   std::mutex order_mutex_;  ///< held from the beginning to the end of play(), stop() and finish()
   std::thread feeder_;      // guarded by order_mutex_
   mutable std::mutex mutex_;
-  std::shared_ptr<Playback> playback_;            // the newest sound; guarded by mutex_
-  std::deque<aibo_client::SoundEnd> early_ends_;  // of sounds that are not playback_ yet; guarded by mutex_
+  std::shared_ptr<Playback> playback_;              // the newest sound; guarded by mutex_
+  std::optional<aibo_client::SoundEnd> early_end_;  // the last one of a sound that was not playback_; guarded by mutex_
 };
 
 }  // namespace aibo_driver::sound

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,7 +25,7 @@ namespace {
 
 constexpr int kMostChannels = 8;
 constexpr std::size_t kLongestUnpacked = 64U << 20U;  // bytes; a memory stick of Sony's has 16 MB
-constexpr sf_count_t kBlock = 4096;                   // frames
+constexpr std::size_t kBlock = 4096;                  // frames
 
 struct SoundFileCloser {
   void operator()(SNDFILE* file) const { ::sf_close(file); }
@@ -51,9 +52,9 @@ std::int16_t toSample(float value) {
                            : static_cast<std::int16_t>(std::lrint(std::clamp(value * kScale, -kScale, kScale - 1)));
 }
 
-class FileSource : public Source {
+class SoundFile {
  public:
-  FileSource(FileDescriptor descriptor, const std::string& name) : descriptor_(std::move(descriptor)) {
+  SoundFile(FileDescriptor descriptor, const std::string& name) : descriptor_(std::move(descriptor)) {
     if (!isOfKnownFormat(descriptor_.get())) {
       refuse(name, "it is no WAV, FLAC or Ogg file");
     }
@@ -69,31 +70,31 @@ class FileSource : public Source {
     if (info_.samplerate != aibo_client::kSoundRate) {
       int error = 0;
       const bool is_possible = info_.samplerate > 0 && ::src_is_valid_ratio(ratio_) != 0;
-      resampler_.reset(is_possible ? ::src_new(SRC_SINC_FASTEST, 1, &error) : nullptr);
+      resampler_.reset(is_possible ? ::src_callback_new(nextBlock, SRC_SINC_FASTEST, 1, &error, this) : nullptr);
       if (!resampler_) {
         refuse(name, "its rate of " + std::to_string(info_.samplerate) + " samples/s is not possible");
       }
     }
   }
 
-  std::vector<std::int16_t> read(std::size_t most) override {
-    while (ready_.size() < most && !is_at_end_) {
-      const std::vector<float> block = readBlock();
-      is_at_end_ = block.empty();
-      resampler_ ? resample(block) : append(block.data(), block.size());
-    }
-    const auto end = ready_.begin() + static_cast<std::ptrdiff_t>(std::min(most, ready_.size()));
-    std::vector<std::int16_t> samples(ready_.begin(), end);
-    ready_.erase(ready_.begin(), end);
+  SoundFile(const SoundFile&) = delete;  // the resampler knows where it is
+  SoundFile& operator=(const SoundFile&) = delete;
+
+  std::vector<std::int16_t> read(std::size_t most) {
+    const std::vector<float> sound = resampler_ ? resample(most) : readMean(most);
+    std::vector<std::int16_t> samples(sound.size());
+    std::transform(sound.begin(), sound.end(), samples.begin(), toSample);
     return samples;
   }
 
  private:
-  /// @return the mean of the channels; empty at the end, or where the file is damaged
-  std::vector<float> readBlock() {
+  /// @return the mean of the channels; less at the end, or where the file is damaged
+  std::vector<float> readMean(std::size_t most) {
     const auto channels = static_cast<std::size_t>(info_.channels);
-    std::vector<float> frames(static_cast<std::size_t>(kBlock) * channels);
-    const sf_count_t count = ::sf_readf_float(file_.get(), frames.data(), kBlock);
+    std::vector<float> frames(most * channels);
+    const sf_count_t count =
+        is_at_end_ ? 0 : ::sf_readf_float(file_.get(), frames.data(), static_cast<sf_count_t>(most));
+    is_at_end_ = count < static_cast<sf_count_t>(most);
     std::vector<float> mean(static_cast<std::size_t>(std::max<sf_count_t>(count, 0)));
     for (std::size_t i = 0; i < mean.size(); ++i) {
       for (std::size_t channel = 0; channel < channels; ++channel) {
@@ -103,31 +104,21 @@ class FileSource : public Source {
     return mean;
   }
 
-  /// @param block if empty, the sound has ended, and the resampler gives what it still has
-  void resample(const std::vector<float>& block) {
-    std::vector<float> out(static_cast<std::size_t>(kBlock));
-    SRC_DATA data = {};
-    // If data_in were null, the resampler would keep the end of the sound.
-    const float nothing = 0;
-    data.data_in = block.empty() ? &nothing : block.data();
-    data.input_frames = static_cast<long>(block.size());
-    data.data_out = out.data();
-    data.output_frames = static_cast<long>(out.size());
-    data.end_of_input = block.empty() ? 1 : 0;
-    data.src_ratio = ratio_;
-    do {
-      if (::src_process(resampler_.get(), &data) != 0) {
-        is_at_end_ = true;
-        return;
-      }
-      append(out.data(), static_cast<std::size_t>(data.output_frames_gen));
-      data.data_in += data.input_frames_used;
-      data.input_frames -= data.input_frames_used;
-    } while (data.input_frames > 0 || data.output_frames_gen > 0);
+  std::vector<float> resample(std::size_t most) {
+    std::vector<float> sound(most);
+    const long count = ::src_callback_read(resampler_.get(), ratio_, static_cast<long>(most), sound.data());
+    sound.resize(static_cast<std::size_t>(count));
+    return sound;
   }
 
-  void append(const float* samples, std::size_t count) {
-    std::transform(samples, samples + count, std::back_inserter(ready_), toSample);
+  // The resampler calls this.
+  static long nextBlock(void* file, float** samples) {
+    auto* const self = static_cast<SoundFile*>(file);
+    self->block_ = self->readMean(kBlock);
+    if (!self->block_.empty()) {
+      *samples = self->block_.data();
+    }
+    return static_cast<long>(self->block_.size());
   }
 
   FileDescriptor descriptor_;
@@ -135,18 +126,19 @@ class FileSource : public Source {
   std::unique_ptr<SNDFILE, SoundFileCloser> file_;
   double ratio_ = 1;
   std::unique_ptr<SRC_STATE, ResamplerCloser> resampler_;  ///< null if the file has the robot's rate
-  std::vector<std::int16_t> ready_;
+  std::vector<float> block_;                               ///< what the resampler reads
   bool is_at_end_ = false;
 };
 
 }  // namespace
 
-std::unique_ptr<Source> openSoundFile(const std::string& path) {
+Source openSoundFile(const std::string& path) {
   return readSound(files::openToRead(path, kLongestUnpacked), path);
 }
 
-std::unique_ptr<Source> readSound(FileDescriptor file, const std::string& name) {
-  return std::make_unique<FileSource>(std::move(file), name);
+Source readSound(FileDescriptor file, const std::string& name) {
+  const auto sound = std::make_shared<SoundFile>(std::move(file), name);
+  return [sound](std::size_t most) { return sound->read(most); };
 }
 
 }  // namespace aibo_driver::sound

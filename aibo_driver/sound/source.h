@@ -5,7 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,18 +13,9 @@
 
 namespace aibo_driver::sound {
 
-/// Supplies the samples of a sound that the robot will play: mono, aibo_client::kSoundRate samples a second.
-class Source {
- public:
-  Source() = default;
-  virtual ~Source() = default;
-  Source(const Source&) = delete;
-  Source& operator=(const Source&) = delete;
-
-  /// The next samples.
-  /// @return `most` samples; fewer only at the end
-  virtual std::vector<std::int16_t> read(std::size_t most) = 0;
-};
+/// Supplies the next samples of a sound that the robot will play: mono, aibo_client::kSoundRate samples a second. It
+/// returns `most` samples; fewer only at the end.
+using Source = std::function<std::vector<std::int16_t>(std::size_t most)>;
 
 /// Opens a sound file: WAV, FLAC or Ogg, of any rate, with up to 8 channels, of which the mean is played. The file is
 /// read while it plays, so its length does not matter unless it is gzipped.
@@ -33,11 +24,11 @@ class Source {
 /// sounds leave this computer.
 /// @param path for files::openToRead()
 /// @throw files::FileException the file cannot be read, or is no such sound; the message says why
-std::unique_ptr<Source> openSoundFile(const std::string& path);
+Source openSoundFile(const std::string& path);
 
 /// Does the same for a file that is open.
 /// @param name for messages
-std::unique_ptr<Source> readSound(host_files::FileDescriptor file, const std::string& name);
+Source readSound(host_files::FileDescriptor file, const std::string& name);
 
 /// Speaks a text, by the program espeak-ng. It returns when the whole text has been spoken, which takes a fraction of
 /// the time that it plays.
@@ -45,7 +36,7 @@ std::unique_ptr<Source> readSound(host_files::FileDescriptor file, const std::st
 /// @param voice one of `espeak-ng --voices`, such as "en" or "de"; empty: English
 /// @throw InvalidArgumentException there is no text, it is too long, or the voice cannot be one
 /// @throw files::FileException espeak-ng is not installed, or has failed; the message says what to do
-std::unique_ptr<Source> speak(const std::string& text, const std::string& voice);
+Source speak(const std::string& text, const std::string& voice);
 
 }  // namespace aibo_driver::sound
 

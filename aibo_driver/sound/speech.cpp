@@ -80,7 +80,7 @@ void waitFor(pid_t process, const std::string& voice) {
 
 }  // namespace
 
-std::unique_ptr<Source> speak(const std::string& text, const std::string& voice) {
+Source speak(const std::string& text, const std::string& voice) {
   const std::string chosen = voice.empty() ? "en" : voice;
   if (text.empty() || text.size() > kLongestText) {
     throw InvalidArgumentException(text.empty() ? "give a text"

@@ -83,8 +83,7 @@ std::optional<int> volumeIn(const Arguments& arguments) {
 }
 
 /// Plays a sound to its end. Ctrl-C stops it.
-ExitStatus play(const Arguments& arguments, Output& output, std::optional<int> volume,
-                std::unique_ptr<sound::Source> source) {
+ExitStatus play(const Arguments& arguments, Output& output, std::optional<int> volume, sound::Source source) {
   std::unique_ptr<sound::Player> player;
   Robot robot(arguments.robot, output, {}, [&player](const aibo_client::SoundEnd& end) { player->ended(end); });
   player = std::make_unique<sound::Player>(robot.client());

@@ -17,11 +17,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     constexpr int kMostPieces = 100;  // 13 s
     bool is_at_end = false;
     for (int i = 0; i < kMostPieces && !is_at_end; ++i) {
-      const std::size_t count = source->read(kPiece).size();
+      const std::size_t count = source(kPiece).size();
       require(count <= kPiece, "no more is read than was asked for");
       is_at_end = count < kPiece;
     }
-    require(!is_at_end || source->read(1).empty(), "after the end, there is nothing");
+    require(!is_at_end || source(1).empty(), "after the end, there is nothing");
   } catch (const aibo_driver::files::FileException& error) {
     require(std::string(error.what()).find("cannot be played") != std::string::npos, "a refusal says why");
   }

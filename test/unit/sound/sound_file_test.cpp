@@ -42,9 +42,9 @@ class SoundFileTest : public testing::Test {
   Samples readAll(const std::string& name) const {
     const auto source = openSoundFile(path(name));
     Samples all;
-    for (Samples part; !(part = source->read(777)).empty();) {
+    for (Samples part; !(part = source(777)).empty();) {
       all.insert(all.end(), part.begin(), part.end());
-      EXPECT_TRUE(part.size() == 777 || source->read(1).empty()) << "fewer samples before the end";
+      EXPECT_TRUE(part.size() == 777 || source(1).empty()) << "fewer samples before the end";
     }
     return all;
   }
@@ -147,17 +147,17 @@ TEST_F(SoundFileTest, AFileOfFourGigabytesBeginsAtOnce) {
   }
   std::filesystem::resize_file(path("a.wav"), std::uintmax_t{0xfffffff8});
   const auto source = openSoundFile(path("a.wav"));
-  EXPECT_EQ(Samples(10000, 7), source->read(10000));
-  EXPECT_EQ(Samples(10000, 0), source->read(10000));
+  EXPECT_EQ(Samples(10000, 7), source(10000));
+  EXPECT_EQ(Samples(10000, 0), source(10000));
 }
 
 TEST_F(SoundFileTest, AFileThatIsCutOffWhileItPlaysEnds) {
   writeSoundFile(path("a.wav"), Samples(100000, 7));
   const auto source = openSoundFile(path("a.wav"));
-  EXPECT_THAT(source->read(1000), testing::SizeIs(1000));
+  EXPECT_THAT(source(1000), testing::SizeIs(1000));
   std::filesystem::resize_file(path("a.wav"), 44);
-  EXPECT_GT(50000U, source->read(100000).size());
-  EXPECT_THAT(source->read(1), testing::IsEmpty());
+  EXPECT_GT(50000U, source(100000).size());
+  EXPECT_THAT(source(1), testing::IsEmpty());
 }
 
 TEST_F(SoundFileTest, MissingSoundIsSilenceInARecording) {
@@ -176,7 +176,6 @@ TEST_F(SoundFileTest, MissingSoundIsSilenceInARecording) {
     sound.channels = 2;
     sound.samples_per_second = 8000;
     recording.add(sound);
-    EXPECT_EQ(4.0 / 16000, recording.seconds());
   }
   EXPECT_THAT(readAll("heard.wav"), testing::ElementsAre(2, 0, 0, 4)) << "means, rounded to even";
 }

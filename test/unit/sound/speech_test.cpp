@@ -37,7 +37,7 @@ class SpeechTest : public testing::Test {
 
 TEST_F(SpeechTest, TheTextIsSpokenAndNeverAnOption) {
   install("cat > text; echo \"$@\" > arguments; cat speech.wav > \"$5\"");
-  EXPECT_THAT(speak("-w /etc/passwd", "de")->read(10), testing::ElementsAre(1, 2, 3));
+  EXPECT_THAT(speak("-w /etc/passwd", "de")(10), testing::ElementsAre(1, 2, 3));
   EXPECT_EQ("-w /etc/passwd", folder_.read("text"));
   EXPECT_EQ("-v de --stdin -w /proc/self/fd/3\n", folder_.read("arguments"));
   speak("hello", "");
