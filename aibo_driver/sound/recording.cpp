@@ -57,7 +57,6 @@ void Recording::write(const std::int16_t* samples, std::size_t frames) {
   if (::sf_writef_short(file_.get(), samples, static_cast<sf_count_t>(frames)) != static_cast<sf_count_t>(frames)) {
     throw FileException("cannot write '" + path_ + "': " + ::sf_strerror(file_.get()));
   }
-  frames_ += frames;
 }
 
 }  // namespace aibo_driver::sound

@@ -25,16 +25,12 @@ class Recording {
   /// @throw files::FileException it cannot be written
   void add(const aibo_client::HeardSound& sound);
 
-  /// The length of the recording so far.
-  double seconds() const { return static_cast<double>(frames_) / settings_.samples_per_second; }
-
  private:
   void write(const std::int16_t* samples, std::size_t frames);
 
   const std::string path_;
   const aibo_client::MicrophoneSettings settings_;
   std::unique_ptr<SNDFILE, int (*)(SNDFILE*)> file_;
-  std::uint64_t frames_ = 0;
 };
 
 }  // namespace aibo_driver::sound
