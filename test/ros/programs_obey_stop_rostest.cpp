@@ -151,24 +151,6 @@ TEST_F(FollowBall, BeginsWhenTheMotorsAreOnAndNothingElseMovesTheHead) {
   EXPECT_TRUE(follows());
 }
 
-TEST(FollowTheBall, BeginsOnlyWhenTheDriverHasToldWhatMovesTheRobot) {
-  Process node({AIBO_FOLLOW_BALL, "__ns:=/untold", "_walk:=true"});
-  TopicPublishers driver("/untold");
-  TopicListener<Twist> steps("/untold/cmd_vel");
-  sensor_msgs::Image mask;
-  mask.encoding = "rgb8";
-  const auto says = [&](const std::string& what) {
-    return DriverUser::becomesTrue([&] {
-      driver.publish("color_mask", mask);
-      return node.output().find("cannot follow the ball yet: " + what) != std::string::npos;
-    });
-  };
-  EXPECT_TRUE(says("robot_state has not come"));
-  driver.publish("robot_state", RobotState());
-  EXPECT_TRUE(says("motion_state has not come"));
-  EXPECT_EQ(steps.count(), 0U);
-}
-
 TEST(LookAt, SaysWhyTheHeadDoesNotTurn) {
   FakeDriver driver("/stares");
   TopicListener<aibo_driver::LookAtResult> results("/stares/look_at_result");

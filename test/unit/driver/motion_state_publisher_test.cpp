@@ -88,14 +88,6 @@ TEST(MotionStateMessage, SeveralTellOfEndsThatDoNotFitIntoOne) {
 
 // The numbers are the same on both sides.
 TEST(MotionStateMessage, HasTheNumbersOfTheMessages) {
-  EXPECT_EQ(endConstant(EndedHow::kDone), EndedMovement::DONE);
-  EXPECT_EQ(endConstant(EndedHow::kReplaced), EndedMovement::REPLACED);
-  EXPECT_EQ(endConstant(EndedHow::kStopped), EndedMovement::STOPPED);
-  EXPECT_EQ(endConstant(EndedHow::kRefused), EndedMovement::REFUSED);
-  EXPECT_EQ(endConstant(EndedHow::kFell), EndedMovement::FELL);
-  EXPECT_EQ(endConstant(EndedHow::kUnknown), EndedMovement::UNKNOWN);
-  EXPECT_EQ(endConstant(EndedHow::kNotReached), EndedMovement::NOT_REACHED);
-  EXPECT_EQ(endConstant(EndedHow::kLost), EndedMovement::LOST);
   EXPECT_EQ(static_cast<int>(Kind::kCommand), +Movement::COMMAND);
   EXPECT_EQ(static_cast<int>(Kind::kTrajectory), +Movement::TRAJECTORY);
   EXPECT_EQ(static_cast<int>(Kind::kMotion), +Movement::MOTION);

@@ -39,13 +39,7 @@ class TestPicture : public PictureSource {
     }
   }
 
-  const YCrCbImage& picture(const CameraPose& pose, double seconds, longword image_number,
-                            const CameraSettings& settings) override {
-    drawn.emplace_back(pose.head.head_pan, pose.body.translation().x(), seconds, image_number, settings.shutter);
-    return image_;
-  }
-
-  std::vector<std::tuple<double, double, double, longword, longword>> drawn;  ///< pan, x, time, image, shutter
+  const YCrCbImage& picture(const CameraPose&, double, longword, const CameraSettings&) override { return image_; }
 
  private:
   YCrCbImage image_;
@@ -131,23 +125,6 @@ TEST_F(CameraTest, DetectedColoursAreInTheirPlaneAndCountedInEveryTag) {
   }
   camera_.reset();
   EXPECT_EQ(bandOf(camera_.capture(4), ofbkimageLAYER_C, ofbkimageBAND_CDT).Pixel(50, 10), 0);
-}
-
-TEST_F(CameraTest, APictureIsDrawnWhenItIsReadAsItWasWhenItWasTaken) {
-  longword shutter = ocamparamSHUTTER_FAST;
-  camera_.control(oprmreqCAM_SET_SHUTTER_SPEED, &shutter, sizeof(shutter));
-  CameraPose pose;
-  pose.head.head_pan = 0.3;
-  pose.body = Eigen::Translation3d(2, 0, 0);
-  RCRegion* early = camera_.capture(100, pose);
-  early->AddReference();
-  camera_.reset();
-  camera_.capture(104);
-  EXPECT_TRUE(source_.drawn.empty());
-  EXPECT_EQ(bandOf(early, ofbkimageLAYER_M, ofbkimageBAND_Cr).Pixel(50, 10), 2 * 20 + 1);
-  ASSERT_EQ(source_.drawn.size(), 1U);
-  EXPECT_EQ(source_.drawn[0], std::tuple(0.3, 2.0, 0.8, imagesUpTo(100), longword{ocamparamSHUTTER_FAST}));
-  early->RemoveReference();
 }
 
 TEST(ColorDetection, PutsAPixelIntoTheRangesOfItsSegment) {
