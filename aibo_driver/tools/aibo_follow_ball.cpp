@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <string>
 #include <utility>
 
@@ -170,9 +169,5 @@ anything else moves it.
 }  // namespace
 
 int main(int argc, char** argv) {
-  aibo_driver::tools::init(argc, argv, "aibo_follow_ball", kHelp);
-  return aibo_driver::node::runNode("node aibo_follow_ball", [] {
-    return std::make_shared<FollowBall>(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"),
-                                        ros::NodeHandle("~"));
-  });
+  return aibo_driver::tools::run<FollowBall>(argc, argv, "aibo_follow_ball", kHelp);
 }

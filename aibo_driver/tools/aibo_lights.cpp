@@ -3,7 +3,6 @@
 #include <ros/ros.h>
 #include <visualization_msgs/MarkerArray.h>
 
-#include <memory>
 #include <string>
 
 #include "node/node.h"
@@ -59,9 +58,5 @@ Shows in rviz which LEDs shine and what touches the robot: topic lights.
 }  // namespace
 
 int main(int argc, char** argv) {
-  aibo_driver::tools::init(argc, argv, "aibo_lights", kHelp);
-  return aibo_driver::node::runNode("node aibo_lights", [] {
-    return std::make_shared<Lights>(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"),
-                                    ros::NodeHandle("~"));
-  });
+  return aibo_driver::tools::run<Lights>(argc, argv, "aibo_lights", kHelp);
 }

@@ -13,7 +13,6 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -194,9 +193,5 @@ Turns the head so that the middle of the camera's picture shows the points on lo
 }  // namespace
 
 int main(int argc, char** argv) {
-  aibo_driver::tools::init(argc, argv, "aibo_look_at", kHelp);
-  return aibo_driver::node::runNode("node aibo_look_at", [] {
-    return std::make_shared<LookAt>(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"),
-                                    ros::NodeHandle("~"));
-  });
+  return aibo_driver::tools::run<LookAt>(argc, argv, "aibo_look_at", kHelp);
 }

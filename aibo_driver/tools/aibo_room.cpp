@@ -10,7 +10,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <variant>
 
@@ -124,8 +123,8 @@ Marker partMarker(const Body& body, const simulated_ers7::Part& part, Marker mar
 
 class Room {
  public:
-  /// @param on_table true: the robot begins on the table
-  Room(ros::NodeHandle handle, bool on_table) : scene_(on_table) {
+  Room(ros::NodeHandle handle, const ros::NodeHandle& parameters)
+      : scene_(aibo_driver::node::readFlag(parameters, "on_table")) {
     constexpr bool kLatched = true;
     room_ = handle.advertise<visualization_msgs::MarkerArray>("room", 1, kLatched);
     ball_ = handle.advertise<Marker>("room/ball", 1);
@@ -203,9 +202,5 @@ Shows the simulated robot's room in rviz. With ~on_table, the robot begins on th
 }  // namespace
 
 int main(int argc, char** argv) {
-  aibo_driver::tools::init(argc, argv, "aibo_room", kHelp);
-  return aibo_driver::node::runNode("node aibo_room", [] {
-    return std::make_shared<Room>(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"),
-                                  aibo_driver::node::readFlag(ros::NodeHandle("~"), "on_table"));
-  });
+  return aibo_driver::tools::run<Room>(argc, argv, "aibo_room", kHelp);
 }

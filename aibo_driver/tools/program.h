@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <string>
 
 #include "node/node.h"
@@ -27,6 +28,16 @@ inline void init(int& argc, char** argv, const std::string& name, const char* he
     std::fprintf(stderr, "%s: there is no argument '%s'. --help lists the parameters.\n", name.c_str(), argv[1]);
     std::exit(EXIT_FAILURE);
   }
+}
+
+/// Runs a program that is one node, which finds the driver's topics in the namespace aibo or its own.
+/// @tparam Node is made with a handle in the driver's namespace and one for the parameters
+template <typename Node>
+int run(int argc, char** argv, const std::string& name, const char* help) {
+  init(argc, argv, name, help);
+  return node::runNode("node " + name, [] {
+    return std::make_shared<Node>(node::inDriverNamespace(ros::NodeHandle(), "aibo"), ros::NodeHandle("~"));
+  });
 }
 
 }  // namespace aibo_driver::tools
