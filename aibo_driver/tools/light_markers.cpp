@@ -74,11 +74,18 @@ constexpr FacePlace kFace[] = {{1, 68, 2},   {2, -68, 2}, {3, 62, 22},  {4, -62,
                                {6, -34, 32}, {7, 58, 44}, {8, -58, 44}, {9, 26, 54},  {10, -26, 54},
                                {11, 0, 72},  {12, 0, 42}, {13, 50, 66}, {14, -50, 66}};
 
+void paint(Marker& marker, const Color& color) {
+  marker.color.r = color.red;
+  marker.color.g = color.green;
+  marker.color.b = color.blue;
+}
+
 Marker makeMarker(const Place& place, const std::string& frame_prefix) {
   Marker marker;
   marker.header.frame_id = frame_prefix.empty() ? place.link : frame_prefix + "/" + place.link;
   marker.ns = "lights";
   marker.type = place.shape;
+  marker.action = Marker::DELETE;
   marker.frame_locked = 1u;
   marker.pose.position.x = place.x;
   marker.pose.position.y = place.y;
@@ -87,9 +94,7 @@ Marker makeMarker(const Place& place, const std::string& frame_prefix) {
   marker.scale.x = place.length;
   marker.scale.y = place.width;
   marker.scale.z = place.height;
-  marker.color.r = place.color.red;
-  marker.color.g = place.color.green;
-  marker.color.b = place.color.blue;
+  paint(marker, place.color);
   return marker;
 }
 
@@ -116,11 +121,10 @@ Place onFace(const FacePlace& place) {
 
 LightMarkers::LightMarkers(const std::string& frame_prefix) {
   const auto add = [this, &frame_prefix](const std::string& name, const Place& place) {
-    Light light;
-    light.name = name;
-    light.marker = makeMarker(place, frame_prefix);
-    light.marker.id = static_cast<int>(lights_.size());
-    lights_.push_back(light);
+    Marker marker = makeMarker(place, frame_prefix);
+    marker.id = static_cast<int>(names_.size());
+    names_.push_back(name);
+    markers_.markers.push_back(marker);
   };
   for (const Place& place : kPlaces) {
     add(place.name, place);
@@ -135,8 +139,9 @@ bool LightMarkers::setLeds(const aibo_driver::LedStates& leds) {
   const std::size_t count = std::min({leds.names.size(), leds.intensities.size(), leds.modes.size()});
   for (std::size_t i = 0; i < count; ++i) {
     // This comparison is false for NaN, which means unknown.
-    const float intensity = leds.intensities[i] > 0 ? std::min(leds.intensities[i], 1.0F) : 0;
-    has_changed |= set(leds.names[i], intensity, leds.modes[i] == aibo_driver::LedStates::MODE_B);
+    const bool shines = leds.intensities[i] > 0;
+    const float opacity = shines ? kFaintest + (1 - kFaintest) * std::min(leds.intensities[i], 1.0F) : 0;
+    has_changed |= set(leds.names[i], opacity, leds.modes[i] == aibo_driver::LedStates::MODE_B);
   }
   return has_changed;
 }
@@ -144,7 +149,7 @@ bool LightMarkers::setLeds(const aibo_driver::LedStates& leds) {
 bool LightMarkers::setTouch(const aibo_driver::Touch& touch) {
   bool has_changed = false;
   const auto set_pressed = [this, &has_changed](const std::string& name, bool is_pressed) {
-    has_changed |= set("touch " + name, is_pressed ? 1 : 0, false);
+    has_changed |= set("touch " + name, is_pressed ? kTouchOpacity : 0, false);
   };
   set_pressed("back_front", touch.back_front != 0);
   set_pressed("back_middle", touch.back_middle != 0);
@@ -158,34 +163,20 @@ bool LightMarkers::setTouch(const aibo_driver::Touch& touch) {
   return has_changed;
 }
 
-bool LightMarkers::set(const std::string& name, float intensity, bool is_mode_b) {
-  for (Light& light : lights_) {
-    if (light.name == name) {
-      const bool has_changed = light.intensity != intensity || (light.is_mode_b != is_mode_b && intensity > 0);
-      light.intensity = intensity;
-      light.is_mode_b = is_mode_b;
-      return has_changed;
-    }
+// Only LEDs of the face have a mode B.
+bool LightMarkers::set(const std::string& name, float opacity, bool is_mode_b) {
+  const auto found = std::find(names_.begin(), names_.end(), name);
+  if (found == names_.end()) {
+    return false;
   }
-  return false;
-}
-
-visualization_msgs::MarkerArray LightMarkers::markers() const {
-  visualization_msgs::MarkerArray all;
-  for (const Light& light : lights_) {
-    Marker marker = light.marker;
-    const bool is_touch = light.name.rfind("touch ", 0) == 0;
-    const bool is_face = light.name.rfind("face_", 0) == 0;
-    marker.action = light.intensity > 0 ? Marker::ADD : Marker::DELETE;
-    marker.color.a = is_touch ? kTouchOpacity : kFaintest + (1 - kFaintest) * light.intensity;
-    if (is_face && light.is_mode_b) {
-      marker.color.r = kModeB.red;
-      marker.color.g = kModeB.green;
-      marker.color.b = kModeB.blue;
-    }
-    all.markers.push_back(marker);
+  Marker& marker = markers_.markers[static_cast<std::size_t>(found - names_.begin())];
+  const Marker before = marker;
+  marker.action = opacity > 0 ? Marker::ADD : Marker::DELETE;
+  marker.color.a = opacity;
+  if (opacity > 0 && name.rfind("face_", 0) == 0) {
+    paint(marker, is_mode_b ? kModeB : kWhite);
   }
-  return all;
+  return marker.action != before.action || marker.color != before.color;
 }
 
 }  // namespace lights

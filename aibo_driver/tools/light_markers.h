@@ -27,19 +27,13 @@ class LightMarkers {
 
   /// All markers, each with its own id. Markers of parts that shine or are touched are added, and the others are
   /// removed. The markers move with their links.
-  visualization_msgs::MarkerArray markers() const;
+  const visualization_msgs::MarkerArray& markers() const { return markers_; }
 
  private:
-  struct Light {
-    std::string name;
-    visualization_msgs::Marker marker;  ///< as it looks at full intensity
-    float intensity = 0;                ///< 0..1
-    bool is_mode_b = false;
-  };
+  bool set(const std::string& name, float opacity, bool is_mode_b);
 
-  bool set(const std::string& name, float intensity, bool is_mode_b);
-
-  std::vector<Light> lights_;
+  std::vector<std::string> names_;
+  visualization_msgs::MarkerArray markers_;  ///< in the order of the names
 };
 
 }  // namespace lights
