@@ -4,6 +4,7 @@
 
 #include <array>
 #include <boost/algorithm/string/join.hpp>
+#include <boost/algorithm/string/predicate.hpp>
 #include <cstring>
 #include <set>
 #include <sstream>
@@ -24,15 +25,11 @@ constexpr std::array<const char*, 25> kOutputs{
     "robot_state",  "room",        "room/ball",          "streaming",        "touch",
 };
 
-bool endsWith(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
 std::set<std::string> robotsIn(const std::set<std::string>& topics) {
   std::set<std::string> robots;
   for (const std::string& topic : topics) {
     for (const char* sign : kSignsOfARobot) {
-      if (endsWith(topic, sign)) {
+      if (boost::algorithm::ends_with(topic, sign)) {
         robots.insert(topic.substr(0, topic.size() - std::strlen(sign)));
       }
     }
