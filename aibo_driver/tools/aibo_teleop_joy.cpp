@@ -14,7 +14,6 @@
 #include <cstdio>
 #include <ctime>
 #include <map>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -30,9 +29,9 @@ namespace {
 using aibo_driver::PlayMotion;
 using aibo_driver::TakePicture;
 using std_srvs::Trigger;
-using teleop::HeadPosition;
 using teleop::JoyMapping;
 using teleop::JoyOrders;
+using teleop::PanTilt;
 
 int checkPlace(const std::string& name, int place, int lowest) {
   if (place < lowest) {
@@ -107,9 +106,8 @@ class JoyTeleop {
   JoyTeleop(ros::NodeHandle handle, const ros::NodeHandle& parameters)
       : mapping_(readMapping(parameters)),
         steering_(mapping_),
-        robot_(handle, howToRelease(mapping_), [](const std::string& text) { ROS_WARN_STREAM(text); }),
-        pictures_(handle),
-        movements_(handle) {
+        handle_(handle),
+        robot_(handle, howToRelease(mapping_), [](const std::string& text) { ROS_WARN_STREAM(text); }) {
     velocities_ = handle.advertise<geometry_msgs::Twist>("cmd_vel", 1);
     head_positions_ = handle.advertise<sensor_msgs::JointState>("joint_command", 1);
     joints_ = handle.subscribe("joint_states", 1, &JoyTeleop::receiveJoints, this);
@@ -142,20 +140,25 @@ class JoyTeleop {
     if (orders.take_picture) {
       TakePicture::Request request;
       request.save_to = aibo_driver::files::nameForPicture();
-      pictures_.call<TakePicture>("take_picture", request);
+      call<TakePicture>("take_picture", request);
     }
     if (!orders.motion.empty()) {
       PlayMotion::Request request;
       request.name = orders.motion;
       request.repetitions = 1;
-      movements_.call<PlayMotion>("play_motion", request);
+      call<PlayMotion>("play_motion", request);
     }
     if (!orders.posture.empty()) {
-      movements_.call<Trigger>(orders.posture, {});
+      call<Trigger>(orders.posture, {});
     }
   }
 
-  void turnHead(const HeadPosition& position) {
+  template <typename Service>
+  void call(const std::string& service, const typename Service::Request& request) {
+    teleop::call<Service>(calls_, handle_.resolveName(service), request);
+  }
+
+  void turnHead(const PanTilt& position) {
     constexpr double kReserve = 1.5;  // lets the head keep up with the positions
     const double speed = kReserve * mapping_.head_speed;
     sensor_msgs::JointState command;
@@ -184,9 +187,9 @@ class JoyTeleop {
   teleop::HeadSteering head_;
   std::optional<double> pan_;
   std::optional<double> tilt_;
+  const ros::NodeHandle handle_;
   teleop::StopAndRelease robot_;
-  teleop::ServiceCaller pictures_;
-  teleop::ServiceCaller movements_;
+  aibo_driver::node::ServiceCalls calls_;
   ros::Publisher velocities_;
   ros::Publisher head_positions_;
   ros::Subscriber joints_;
@@ -201,9 +204,5 @@ Steers the robot by a joystick or gamepad (sensor_msgs/Joy on /joy). config/joy.
 }  // namespace
 
 int main(int argc, char** argv) {
-  aibo_driver::tools::init(argc, argv, "aibo_teleop_joy", kHelp);
-  return aibo_driver::node::runNode("joystick", [] {
-    return std::make_shared<JoyTeleop>(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"),
-                                       ros::NodeHandle("~"));
-  });
+  return aibo_driver::tools::run<JoyTeleop>(argc, argv, "aibo_teleop_joy", kHelp);
 }

@@ -26,9 +26,8 @@ bool isPressed(const std::vector<int>& buttons, int button) {
          buttons[static_cast<std::size_t>(button)] != 0;
 }
 
-}  // namespace
-
-std::string problemOf(const JoyMapping& mapping) {
+/// The button of each use.
+std::map<std::string, int> buttonsOf(const JoyMapping& mapping) {
   std::map<std::string, int> buttons = {{"dead_man_button", mapping.dead_man_button},
                                         {"stop_button", mapping.stop_button},
                                         {"release_button", mapping.release_button},
@@ -39,8 +38,22 @@ std::string problemOf(const JoyMapping& mapping) {
   for (const auto& [posture, button] : mapping.postures) {
     buttons["postures/" + posture] = button;
   }
+  return buttons;
+}
+
+int lastButtonOf(const JoyMapping& mapping) {
+  int last = kNoPlace;
+  for (const auto& [use, button] : buttonsOf(mapping)) {
+    last = std::max(last, button);
+  }
+  return last;
+}
+
+}  // namespace
+
+std::string problemOf(const JoyMapping& mapping) {
   std::map<int, std::string> uses;
-  for (const auto& [use, button] : buttons) {
+  for (const auto& [use, button] : buttonsOf(mapping)) {
     if (const auto [other, is_free] = uses.emplace(button, use); button != kNoPlace && !is_free) {
       return "Button " + std::to_string(button) + " is " + other->second + " and " + use +
              "; each needs its own, or -1 for none.";
@@ -48,6 +61,12 @@ std::string problemOf(const JoyMapping& mapping) {
   }
   return "";
 }
+
+JoySteering::JoySteering(const JoyMapping& mapping)
+    : mapping_(mapping),
+      last_axis_(
+          std::max({mapping.forward_axis, mapping.left_axis, mapping.turn_axis, mapping.pan_axis, mapping.tilt_axis})),
+      last_button_(lastButtonOf(mapping)) {}
 
 JoyOrders JoySteering::read(const std::vector<float>& axes, const std::vector<int>& buttons) {
   JoyOrders orders;
@@ -70,8 +89,8 @@ void JoySteering::readSticks(bool is_pressed, const std::vector<float>& axes, Jo
     orders->walk = {deflection(axes, mapping_.forward_axis) * mapping_.speeds.forward,
                     deflection(axes, mapping_.left_axis) * mapping_.speeds.left,
                     deflection(axes, mapping_.turn_axis) * mapping_.speeds.turn};
-    const HeadVelocity head = {deflection(axes, mapping_.pan_axis) * mapping_.head_speed,
-                               deflection(axes, mapping_.tilt_axis) * mapping_.head_speed};
+    const PanTilt head = {deflection(axes, mapping_.pan_axis) * mapping_.head_speed,
+                          deflection(axes, mapping_.tilt_axis) * mapping_.head_speed};
     if (head.pan != 0 || head.tilt != 0) {
       orders->head = head;
     }
@@ -97,29 +116,13 @@ bool JoySteering::isNew(const std::vector<int>& buttons, int button) const {
   return isPressed(buttons, button) && !isPressed(buttons_, button);
 }
 
-int JoySteering::lastAxis() const {
-  return std::max(
-      {mapping_.forward_axis, mapping_.left_axis, mapping_.turn_axis, mapping_.pan_axis, mapping_.tilt_axis});
-}
-
-int JoySteering::lastButton() const {
-  int last =
-      std::max({mapping_.dead_man_button, mapping_.stop_button, mapping_.release_button, mapping_.picture_button});
-  for (const auto* buttons : {&mapping_.motions, &mapping_.postures}) {
-    for (const auto& button : *buttons) {
-      last = std::max(last, button.second);
-    }
-  }
-  return last;
-}
-
 std::string JoySteering::problem(std::size_t axes, std::size_t buttons) const {
-  if (lastAxis() < static_cast<int>(axes) && lastButton() < static_cast<int>(buttons)) {
+  if (last_axis_ < static_cast<int>(axes) && last_button_ < static_cast<int>(buttons)) {
     return "";
   }
   return "The joystick has " + std::to_string(axes) + " axes and " + std::to_string(buttons) +
-         " buttons, but its mapping names axis " + std::to_string(lastAxis()) + " and button " +
-         std::to_string(lastButton()) +
+         " buttons, but its mapping names axis " + std::to_string(last_axis_) + " and button " +
+         std::to_string(last_button_) +
          ", counted from 0. It does not steer. Change the mapping (config/joy.yaml; -1 is none), and see rostopic echo "
          "/joy.";
 }
@@ -137,11 +140,11 @@ double JoySteering::deflection(const std::vector<float>& axes, int axis) const {
   return std::copysign((size - mapping_.dead_zone) / (1 - mapping_.dead_zone), value);
 }
 
-void HeadSteering::measured(const HeadPosition& position) {
+void HeadSteering::measured(const PanTilt& position) {
   measured_ = position;
 }
 
-std::optional<HeadPosition> HeadSteering::steer(const std::optional<HeadVelocity>& velocity, TimePoint now) {
+std::optional<PanTilt> HeadSteering::steer(const std::optional<PanTilt>& velocity, TimePoint now) {
   if (!velocity || !measured_) {
     target_.reset();
     return std::nullopt;

@@ -13,8 +13,8 @@
 
 namespace teleop {
 
-/// How fast the head turns, in rad/s.
-struct HeadVelocity {
+/// Where the head looks, in rad, or how fast it turns, in rad/s.
+struct PanTilt {
   double pan = 0;   ///< positive to the left
   double tilt = 0;  ///< positive up
 };
@@ -48,7 +48,7 @@ std::string problemOf(const JoyMapping& mapping);
 /// What the robot should do. Each button counts once, when it is pressed.
 struct JoyOrders {
   std::optional<aibo_client::WalkVelocity> walk;  ///< empty: the joystick does not steer, so other nodes may
-  std::optional<HeadVelocity> head;               ///< empty: the joystick does not turn the head, so other nodes may
+  std::optional<PanTilt> head;                    ///< empty: the joystick does not turn the head, so other nodes may
   bool stop = false;
   bool release = false;
   bool take_picture = false;
@@ -62,7 +62,7 @@ struct JoyOrders {
 /// pressed again. Without this, a stick that is still deflected would make the robot walk on.
 class JoySteering {
  public:
-  explicit JoySteering(const JoyMapping& mapping) : mapping_(mapping) {}
+  explicit JoySteering(const JoyMapping& mapping);
 
   /// @param axes -1..1
   /// @param buttons 0 or 1
@@ -77,19 +77,13 @@ class JoySteering {
   void readButtons(bool is_pressed, const std::vector<int>& buttons, JoyOrders* orders);
   bool isNew(const std::vector<int>& buttons, int button) const;
   double deflection(const std::vector<float>& axes, int axis) const;
-  int lastAxis() const;
-  int lastButton() const;
 
   const JoyMapping mapping_;
+  const int last_axis_;
+  const int last_button_;
   std::vector<int> buttons_;  ///< the buttons in the last message
   bool steers_ = false;
   bool is_halted_ = false;  ///< the robot was stopped or released; true until the dead-man button is up
-};
-
-/// Where the head looks, in rad.
-struct HeadPosition {
-  double pan = 0;   ///< positive to the left
-  double tilt = 0;  ///< positive up
 };
 
 /// Turns velocities of the head into positions to command. The positions begin where the head is measured, end at the
@@ -99,16 +93,16 @@ class HeadSteering {
   using TimePoint = std::chrono::steady_clock::time_point;
 
   /// Call this with the measured position of the head.
-  void measured(const HeadPosition& position);
+  void measured(const PanTilt& position);
 
   /// Call this several times a second.
   /// @param velocity empty: the head is not steered, and others may move it
   /// @return the position to command; empty if the head is not steered, or has not been measured yet
-  std::optional<HeadPosition> steer(const std::optional<HeadVelocity>& velocity, TimePoint now);
+  std::optional<PanTilt> steer(const std::optional<PanTilt>& velocity, TimePoint now);
 
  private:
-  std::optional<HeadPosition> measured_;
-  std::optional<HeadPosition> target_;  ///< empty while the head is not steered
+  std::optional<PanTilt> measured_;
+  std::optional<PanTilt> target_;  ///< empty while the head is not steered
   TimePoint last_;
 };
 

@@ -28,7 +28,7 @@ geometry_msgs::Twist toTwist(const aibo_client::WalkVelocity& velocity) {
 }
 
 StopAndRelease::StopAndRelease(ros::NodeHandle handle, std::string how, std::function<void(const std::string&)> tell)
-    : how_(std::move(how)), tell_(std::move(tell)), stop_(handle), release_(handle) {
+    : how_(std::move(how)), tell_(std::move(tell)), stop_(handle), release_(handle.resolveName("release")) {
   states_ = handle.subscribe("robot_state", 1, &StopAndRelease::receive, this);
 }
 
@@ -40,7 +40,7 @@ bool StopAndRelease::release() {
   if (stopped_by_.empty()) {
     return false;
   }
-  release_.call<Trigger>("release", {});
+  call<Trigger>(calls_, release_, {});
   return true;
 }
 

@@ -7,16 +7,13 @@
 #include <geometry_msgs/Twist.h>
 #include <ros/console.h>
 #include <ros/node_handle.h>
-#include <ros/service.h>
 
-#include <chrono>
 #include <cstddef>
 #include <functional>
-#include <future>
 #include <string>
 
+#include "node/service_calls.h"
 #include "node/stop_client.h"
-#include "node/xmlrpc_peer.h"
 #include "text/plain_text.h"
 #include "tools/teleop/key_steering.h"
 
@@ -43,31 +40,16 @@ void logAnswer(const std::string& service, const Response* response) {
   }
 }
 
-/// Calls one service at a time in a thread of its own, so that steering goes on. The answers go to the log.
-class ServiceCaller {
- public:
-  explicit ServiceCaller(const ros::NodeHandle& handle) : handle_(handle) {}
-
-  /// Calls a service. If the previous call has not ended yet, it only logs a warning. Only one thread may call it.
-  template <typename Service>
-  void call(const std::string& name, const typename Service::Request& request) {
-    if (call_.valid() && call_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
-      ROS_WARN_STREAM(name << " is not called: the previous call has not ended yet.");
-      return;
-    }
-    call_ = std::async(std::launch::async, [service = handle_.resolveName(name), request] {
-      typename Service::Response response;
-      typename Service::Request copy = request;
-      // Without the first condition, roscpp would wait for a master that hangs.
-      const bool answered = aibo_driver::node::isAdvertised(service) && ros::service::call(service, copy, response);
-      logAnswer(service, answered ? &response : nullptr);
-    });
+/// Calls a service without waiting for it, so that steering goes on. The answer goes to the log.
+/// @param service its name with its namespace
+template <typename Service>
+void call(aibo_driver::node::ServiceCalls& calls, const std::string& service,
+          const typename Service::Request& request) {
+  const auto log = [service](const typename Service::Response* response) { logAnswer(service, response); };
+  if (!calls.start<Service>(service, request, log)) {
+    ROS_WARN_STREAM(service << " is not called: the previous call has not ended yet.");
   }
-
- private:
-  const ros::NodeHandle handle_;
-  std::future<void> call_;
-};
+}
 
 /// Stops the robot, and lets it move again. Only one thread may call it and serve the handle's callbacks.
 class StopAndRelease {
@@ -91,7 +73,8 @@ class StopAndRelease {
   const std::function<void(const std::string&)> tell_;
   std::string stopped_by_;  ///< empty while the robot may move
   aibo_driver::node::StopClient stop_;
-  ServiceCaller release_;
+  const std::string release_;  ///< the service
+  aibo_driver::node::ServiceCalls calls_;
   ros::Subscriber states_;
 };
 

@@ -9,9 +9,9 @@ using std::chrono::milliseconds;
 
 class HeadSteeringTest : public ::testing::Test {
  protected:
-  std::optional<HeadPosition> steer(double pan, double tilt, milliseconds after = milliseconds(50)) {
+  std::optional<PanTilt> steer(double pan, double tilt, milliseconds after = milliseconds(50)) {
     now_ += after;
-    return head_.steer(HeadVelocity{pan, tilt}, now_);
+    return head_.steer(PanTilt{pan, tilt}, now_);
   }
 
   HeadSteering head_;
@@ -19,7 +19,7 @@ class HeadSteeringTest : public ::testing::Test {
 };
 
 TEST_F(HeadSteeringTest, BeginsWhereTheHeadIs) {
-  EXPECT_FALSE(HeadSteering().steer(HeadVelocity{1, 0}, now_)) << "it has not been measured yet";
+  EXPECT_FALSE(HeadSteering().steer(PanTilt{1, 0}, now_)) << "it has not been measured yet";
   head_.measured({0.4, 0.2});
   EXPECT_DOUBLE_EQ(steer(1, -0.5)->pan, 0.4);
   EXPECT_DOUBLE_EQ(steer(1, -0.5)->pan, 0.45);
