@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
 #include <boost/asio/ip/address.hpp>
+#include <boost/beast/websocket/rfc6455.hpp>
 #include <boost/uuid/random_generator.hpp>
 #include <boost/uuid/uuid_io.hpp>
 #include <sstream>
@@ -10,6 +11,8 @@
 
 namespace aibo_driver::web {
 namespace {
+
+namespace http = boost::beast::http;
 
 constexpr std::uint16_t kPortOfHttp = 80;  // which browsers leave out
 const std::string kPage = "/";
@@ -52,27 +55,31 @@ Gate::Gate(const std::string& address, std::uint16_t port) {
   }
 }
 
-Verdict Gate::judge(const Knock& knock) const {
-  const auto is_asked_for = [&knock](const std::string& host) { return boost::iequals(host, knock.host); };
+Verdict Gate::judge(const Request& request) const {
+  const std::string asked(request[http::field::host]);
+  const std::string origin(request[http::field::origin]);
+  const std::string target(request.target());
+  const bool is_upgrade = boost::beast::websocket::is_upgrade(request);
+  const auto is_asked_for = [&asked](const std::string& host) { return boost::iequals(host, asked); };
   if (std::none_of(hosts_.begin(), hosts_.end(), is_asked_for)) {
     return {403, "This page has another address: " + hosts_.front(), ""};
   }
-  const bool is_from_here = boost::iequals("http://" + knock.host, knock.origin);
-  if (!is_from_here && (knock.is_upgrade || !knock.origin.empty())) {
+  const bool is_from_here = boost::iequals("http://" + asked, origin);
+  if (!is_from_here && (is_upgrade || !origin.empty())) {
     return {403, "Only the page from here may ask for this.", ""};
   }
-  if (knock.method != "GET") {
+  if (request.method() != http::verb::get) {
     return {405, "Only GET is known here.", ""};
   }
-  const bool has_code = boost::starts_with(knock.target, kLink);
-  if (knock.is_upgrade ? knock.target != kSocket : knock.target != kPage && !has_code) {
+  const bool has_code = boost::starts_with(target, kLink);
+  if (is_upgrade ? target != kSocket : target != kPage && !has_code) {
     return {404, "There is nothing here. The page is at /.", ""};
   }
-  if (!code_.empty() && !mayEnter(knock)) {
+  if (!code_.empty() && !mayEnter(request)) {
     return {403, "This page needs the whole link that aibo_web printed when it started. Each start has a new one.", ""};
   }
   const bool has_to_keep = has_code && !code_.empty();
-  return {knock.is_upgrade ? 101U : 200U, "",
+  return {is_upgrade ? 101U : 200U, "",
           has_to_keep ? cookie_ + "; HttpOnly; SameSite=Strict; Path=/; Max-Age=31536000" : ""};
 }
 
@@ -80,11 +87,11 @@ std::string Gate::link() const {
   return "http://" + hosts_.front() + (code_.empty() ? kPage : kLink + code_);
 }
 
-bool Gate::mayEnter(const Knock& knock) const {
-  if (isSecret(kLink + code_, knock.target)) {
+bool Gate::mayEnter(const Request& request) const {
+  if (isSecret(kLink + code_, std::string(request.target()))) {
     return true;
   }
-  std::istringstream cookies(knock.cookies);
+  std::istringstream cookies{std::string(request[http::field::cookie])};
   for (std::string cookie; std::getline(cookies >> std::ws, cookie, ';');) {
     if (isSecret(cookie_, cookie)) {
       return true;

@@ -2,21 +2,16 @@
 #ifndef AIBO_DRIVER_WEB_GATE_H
 #define AIBO_DRIVER_WEB_GATE_H
 
+#include <boost/beast/http/empty_body.hpp>
+#include <boost/beast/http/message.hpp>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace aibo_driver::web {
 
-/// What a browser says when it asks for something. A text is empty if it says nothing.
-struct Knock {
-  std::string method;
-  std::string target;  ///< the path, and what follows a '?'
-  std::string host;    ///< the address in the address bar, with its port
-  std::string origin;  ///< the page that asks
-  std::string cookies;
-  bool is_upgrade = false;  ///< it asks for a WebSocket
-};
+/// What a browser asks for: the page, or a WebSocket.
+using Request = boost::beast::http::request<boost::beast::http::empty_body>;
 
 struct Verdict {
   unsigned status;         ///< of HTTP: 200 for the page, 101 for the WebSocket; others refuse
@@ -35,13 +30,13 @@ class Gate {
   /// @throw std::invalid_argument this is no address by which a browser can reach a server
   Gate(const std::string& address, std::uint16_t port);
 
-  Verdict judge(const Knock& knock) const;
+  Verdict judge(const Request& request) const;
 
   /// The address of the page, with the code.
   std::string link() const;
 
  private:
-  bool mayEnter(const Knock& knock) const;
+  bool mayEnter(const Request& request) const;
 
   std::vector<std::string> hosts_;  ///< the hosts under which a browser may ask for the page
   std::string code_;                ///< empty if everybody on this computer may enter

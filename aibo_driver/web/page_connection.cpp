@@ -1,7 +1,7 @@
 #include "web/page_connection.h"
 
 #include <boost/algorithm/string/replace.hpp>
-#include <boost/asio/post.hpp>
+#include <boost/asio/buffer.hpp>
 #include <chrono>
 #include <utility>
 
@@ -15,7 +15,6 @@ using boost::asio::ip::tcp;
 constexpr std::chrono::seconds kTimeForRequest{5};
 constexpr std::chrono::seconds kSilence{10};  // a page that is alive answers pings
 constexpr std::uint32_t kMostBytesOfHeader = 8192;
-constexpr std::size_t kMostFrames = 32;
 
 // The page needs nothing from elsewhere, and a text that somebody smuggled into it would have no rights.
 std::string policy(const std::string& host, const std::string& nonce) {
@@ -46,27 +45,9 @@ std::string PageConnection::name() const {
   return "page " + std::to_string(page_) + " (" + address_ + ")";
 }
 
-void PageConnection::tell(const Frame& frame) {
-  told_.push_back(frame);
-  if (told_.size() > kMostFrames) {  // it does not read
-    boost::asio::post(stream_.get_executor(), [self = shared_from_this()] { self->close(); });
-  }
+void PageConnection::send(const std::string& kind, const Frame& frame) {
+  waiting_[kind] = frame;
   write();
-}
-
-void PageConnection::show(const std::string& kind, const Frame& text) {
-  texts_[kind] = text;
-  write();
-}
-
-void PageConnection::showPicture(const Frame& picture) {
-  picture_ = picture;
-  write();
-}
-
-std::string PageConnection::header(http::field field) const {
-  const auto value = request_.get()[field];
-  return {value.data(), value.size()};
 }
 
 void PageConnection::answer() {
@@ -76,21 +57,18 @@ void PageConnection::answer() {
   Error error;
   address_ = tcpStream().socket().remote_endpoint(error).address().to_string();
   tcpStream().socket().set_option(tcp::no_delay(true), error);
-  const auto text = [](const auto& part) { return std::string(part.data(), part.size()); };
-  const Knock knock{
-      text(request_.get().method_string()), text(request_.get().target()), header(http::field::host),
-      header(http::field::origin),          header(http::field::cookie),   websocket::is_upgrade(request_.get())};
-  const Verdict verdict = server_->judge(knock);
-  verdict.status == 101 ? open() : respond(verdict, knock.host);
+  const Verdict verdict = server_->judge(request_.get());
+  verdict.status == 101 ? open() : respond(verdict);
 }
 
-void PageConnection::respond(const Verdict& verdict, const std::string& host) {
+void PageConnection::respond(const Verdict& verdict) {
   const bool is_page = verdict.status == 200;
   const std::string nonce = randomText();
   response_.result(verdict.status);
   response_.set(http::field::content_type, is_page ? "text/html; charset=utf-8" : "text/plain; charset=utf-8");
   response_.set(http::field::cache_control, "no-store");
-  response_.set("Content-Security-Policy", is_page ? policy(host, nonce) : "default-src 'none'");
+  response_.set("Content-Security-Policy",
+                is_page ? policy(std::string(request_.get()[http::field::host]), nonce) : "default-src 'none'");
   response_.set("X-Frame-Options", "DENY");
   response_.set("X-Content-Type-Options", "nosniff");
   response_.set("Referrer-Policy", "no-referrer");
@@ -115,8 +93,8 @@ void PageConnection::open() {
       self->close();
     } else if (self->server_ != nullptr) {
       self->buffer_.clear();
-      self->texts_ = self->server_->texts();
-      self->server_->listener().opened(self->page_);
+      self->waiting_ = self->server_->texts_;
+      self->server_->listener_.opened(self->page_);
       self->read();
     }
   });
@@ -138,7 +116,7 @@ void PageConnection::receive() {
   const std::string text = boost::beast::buffers_to_string(buffer_.data());
   buffer_.consume(buffer_.size());
   if (stream_.got_text()) {
-    server_->listener().received(page_, text);
+    server_->listener_.received(page_, text);
   } else {
     awaits_sight_ = false;
     write();
@@ -146,33 +124,19 @@ void PageConnection::receive() {
 }
 
 void PageConnection::write() {
-  if (server_ == nullptr || !stream_.is_open() || sent_) {
+  if (server_ == nullptr || !stream_.is_open() || sent_ || waiting_.empty()) {
     return;
   }
-  sent_ = next();
-  if (sent_) {
-    stream_.binary(!sent_->is_text);
-    stream_.async_write(sent_->bytes, [self = shared_from_this()](Error error, std::size_t) {
-      self->sent_.reset();
-      error ? self->close() : self->write();
-    });
+  const bool is_picture = waiting_.begin()->first == PageServer::kPicture;
+  if (is_picture && std::exchange(awaits_sight_, true)) {
+    return;
   }
-}
-
-std::optional<Frame> PageConnection::next() {
-  if (!told_.empty()) {
-    const Frame first = told_.front();
-    told_.pop_front();
-    return first;
-  }
-  if (!texts_.empty()) {
-    return texts_.extract(texts_.begin()).mapped();
-  }
-  if (picture_ && !awaits_sight_) {
-    awaits_sight_ = true;
-    return std::exchange(picture_, {});
-  }
-  return {};
+  sent_ = waiting_.extract(waiting_.begin()).mapped();
+  stream_.binary(!sent_->is_text);
+  stream_.async_write(boost::asio::buffer(*sent_->bytes), [self = shared_from_this()](Error error, std::size_t) {
+    self->sent_.reset();
+    error ? self->close() : self->write();
+  });
 }
 
 }  // namespace aibo_driver::web

@@ -2,13 +2,11 @@
 #ifndef AIBO_DRIVER_WEB_PAGE_CONNECTION_H
 #define AIBO_DRIVER_WEB_PAGE_CONNECTION_H
 
-#include <boost/asio/buffer.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 #include <cstddef>
-#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
@@ -36,27 +34,19 @@ class PageConnection : public std::enable_shared_from_this<PageConnection> {
   /// A name for other people, such as "page 2 (192.168.1.7)".
   std::string name() const;
 
-  /// Sends all of these.
-  void tell(const Frame& frame);
-
-  /// Sends the newest of these of each kind.
-  void show(const std::string& kind, const Frame& text);
-
-  /// Sends the newest of these, when the page has shown the one before.
-  void showPicture(const Frame& picture);
+  /// Sends the newest frame of each kind, in the order of the kinds.
+  void send(const std::string& kind, const Frame& frame);
 
  private:
   using Error = boost::system::error_code;
 
   boost::beast::tcp_stream& tcpStream() { return stream_.next_layer(); }
-  std::string header(boost::beast::http::field field) const;
   void answer();
-  void respond(const Verdict& verdict, const std::string& host);
+  void respond(const Verdict& verdict);
   void open();
   void read();
   void receive();
   void write();
-  std::optional<Frame> next();
 
   PageServer* server_;  ///< null when the connection is closed
   boost::beast::websocket::stream<boost::beast::tcp_stream> stream_;
@@ -66,13 +56,9 @@ class PageConnection : public std::enable_shared_from_this<PageConnection> {
   std::string address_;
   Page page_ = 0;  ///< 0 before it has passed the gate
   aibo_system::RateLimit limit_{PageServer::kMostTexts};
-  // What waits to be sent.
-  std::deque<Frame> told_;
-  std::map<std::string, Frame> texts_;  ///< by their kind
-  std::optional<Frame> picture_;
-
-  std::optional<Frame> sent_;  ///< what is being sent
-  bool awaits_sight_ = false;  ///< the page has not shown the last picture yet
+  std::map<std::string, Frame> waiting_;  ///< what waits to be sent, by its kind
+  std::optional<Frame> sent_;             ///< what is being sent
+  bool awaits_sight_ = false;             ///< the page has not shown the last picture yet
 };
 
 }  // namespace aibo_driver::web

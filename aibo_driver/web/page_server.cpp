@@ -22,12 +22,11 @@ tcp::acceptor listen(boost::asio::io_context& context, const std::string& addres
   }
 }
 
-}  // namespace
-
-Frame textFrame(const std::string& text) {
-  const auto owner = std::make_shared<const std::string>(text);
-  return {owner, boost::asio::buffer(*owner), true};
+Frame frameOf(std::string bytes, bool is_text) {
+  return {std::make_shared<const std::string>(std::move(bytes)), is_text};
 }
+
+}  // namespace
 
 PageServer::PageServer(boost::asio::io_context& context, const std::string& address, std::uint16_t port,
                        PageListener& listener)
@@ -60,8 +59,8 @@ void PageServer::admit(tcp::socket socket) {
   }
 }
 
-Verdict PageServer::judge(const Knock& knock) const {
-  const Verdict verdict = gate_.judge(knock);
+Verdict PageServer::judge(const Request& request) const {
+  const Verdict verdict = gate_.judge(request);
   return verdict.status == 101 && pages_.size() >= kMostPages ? Verdict{503, "Too many pages are open.", ""} : verdict;
 }
 
@@ -76,22 +75,23 @@ void PageServer::leave(Page page) {
   }
 }
 
-void PageServer::showPicture(const Frame& picture) {
-  for (const auto& [page, connection] : pages_) {
-    connection->showPicture(picture);
-  }
+void PageServer::showPicture(std::string jpeg) {
+  sendToAll(kPicture, frameOf(std::move(jpeg), false));
 }
 
-void PageServer::show(const std::string& kind, const std::string& text) {
-  texts_[kind] = textFrame(text);
-  for (const auto& [page, connection] : pages_) {
-    connection->show(kind, texts_[kind]);
-  }
+void PageServer::show(const std::string& kind, std::string text) {
+  sendToAll(kind, texts_[kind] = frameOf(std::move(text), true));
 }
 
-void PageServer::tell(Page page, const Frame& frame) {
+void PageServer::tell(Page page, const std::string& kind, std::string bytes, bool is_text) {
   if (const auto found = pages_.find(page); found != pages_.end()) {
-    found->second->tell(frame);
+    found->second->send(kind, frameOf(std::move(bytes), is_text));
+  }
+}
+
+void PageServer::sendToAll(const std::string& kind, const Frame& frame) {
+  for (const auto& [page, connection] : pages_) {
+    connection->send(kind, frame);
   }
 }
 

@@ -2,7 +2,6 @@
 #ifndef AIBO_DRIVER_WEB_PAGE_SERVER_H
 #define AIBO_DRIVER_WEB_PAGE_SERVER_H
 
-#include <boost/asio/buffer.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <deque>
@@ -20,12 +19,9 @@ std::string pageHtml();
 
 /// What is sent to a page: a text, or a JPEG.
 struct Frame {
-  std::shared_ptr<const void> owner;  ///< keeps the bytes
-  boost::asio::const_buffer bytes;
+  std::shared_ptr<const std::string> bytes;
   bool is_text;
 };
-
-Frame textFrame(const std::string& text);
 
 /// What the server tells about its pages.
 class PageListener {
@@ -53,6 +49,9 @@ class PageServer {
   static constexpr std::size_t kMostBytes = 4096;
   static constexpr int kMostTexts = 200;  // a second
 
+  /// The kind of showPicture(), which comes after all others.
+  static constexpr const char* kPicture = "~";
+
   /// @param port 0: any free port
   /// @throw std::exception nobody could reach the page; the message says what to change
   PageServer(boost::asio::io_context& context, const std::string& address, std::uint16_t port, PageListener& listener);
@@ -63,14 +62,14 @@ class PageServer {
   bool hasPages() const { return !pages_.empty(); }
 
   /// Shows a picture on all pages.
-  void showPicture(const Frame& picture);
+  void showPicture(std::string jpeg);
 
   /// Shows a text on all pages, now and when they open.
   /// @param kind of all texts of a kind, only the newest counts
-  void show(const std::string& kind, const std::string& text);
+  void show(const std::string& kind, std::string text);
 
-  /// Tells one page something.
-  void tell(Page page, const Frame& frame);
+  /// Tells one page something: a text, or a JPEG.
+  void tell(Page page, const std::string& kind, std::string bytes, bool is_text = true);
 
   /// A name for other people; empty if the page is closed.
   std::string nameOf(Page page) const;
@@ -80,11 +79,10 @@ class PageServer {
 
   void accept();
   void admit(boost::asio::ip::tcp::socket socket);
+  void sendToAll(const std::string& kind, const Frame& frame);
 
   // For the connections.
-  PageListener& listener() { return listener_; }
-  const std::map<std::string, Frame>& texts() const { return texts_; }
-  Verdict judge(const Knock& knock) const;
+  Verdict judge(const Request& request) const;
   Page enter(const std::shared_ptr<PageConnection>& connection);
   void leave(Page page);
 

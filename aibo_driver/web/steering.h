@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 namespace aibo_driver::web {
 
@@ -23,15 +24,29 @@ class Steering {
   /// A finger is on a pad.
   /// @param walks it is on the pad for the legs
   /// @return false if another page steers
-  bool hold(Page page, bool walks, TimePoint now);
+  bool hold(Page page, bool walks, TimePoint now) {
+    if (page_.value_or(page) != page) {
+      return false;
+    }
+    page_ = page;
+    last_ = now;
+    walks_ = walks_ || walks;
+    return true;
+  }
 
   /// No finger is on the page any more.
   /// @return true if the robot has to be told to stand
-  bool letGo(Page page);
+  bool letGo(Page page) {
+    if (page_ != page) {
+      return false;
+    }
+    page_.reset();
+    return std::exchange(walks_, false);
+  }
 
   /// Call this at the time of end().
   /// @return as for letGo()
-  bool expire(TimePoint now);
+  bool expire(TimePoint now) { return page_ && now >= end() && letGo(*page_); }
 
   /// Who steers.
   std::optional<Page> page() const { return page_; }

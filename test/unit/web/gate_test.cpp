@@ -2,40 +2,52 @@
 
 #include <gmock/gmock.h>
 
+#include <boost/beast/http.hpp>
 #include <set>
 #include <stdexcept>
 
 namespace aibo_driver::web {
 namespace {
 
+namespace http = boost::beast::http;
+
 // What a browser sends when it loads the page, or opens its WebSocket.
-Knock page(const std::string& host, const std::string& target = "/", const std::string& origin = "",
-           const std::string& cookie = "") {
-  return {"GET", target, host, origin, cookie, false};
+Request page(const std::string& host, const std::string& target = "/", const std::string& origin = "",
+             const std::string& cookie = "") {
+  Request request(http::verb::get, target, 11);
+  request.set(http::field::host, host);
+  if (!origin.empty()) {
+    request.set(http::field::origin, origin);
+  }
+  request.set(http::field::cookie, cookie);
+  return request;
 }
 
-Knock socket(const std::string& host, const std::string& origin, const std::string& cookie = "",
-             const std::string& target = "/ws") {
-  return {"GET", target, host, origin, cookie, true};
+Request socket(const std::string& host, const std::string& origin, const std::string& cookie = "",
+               const std::string& target = "/ws") {
+  Request request = page(host, target, origin, cookie);
+  request.set(http::field::connection, "Upgrade");
+  request.set(http::field::upgrade, "websocket");
+  return request;
 }
 
 struct GateRow {
   const char* what;
-  Knock knock;
+  Request request;
   unsigned status;
 };
 
 void expectVerdicts(const Gate& gate, const std::vector<GateRow>& rows) {
   for (const GateRow& row : rows) {
-    const Verdict verdict = gate.judge(row.knock);
+    const Verdict verdict = gate.judge(row.request);
     EXPECT_EQ(verdict.status, row.status) << row.what << ": " << verdict.text;
     EXPECT_EQ(verdict.text.empty(), row.status < 400) << row.what;
   }
 }
 
 TEST(GateOfThisComputer, LetsInOnlyThePageFromHere) {
-  Knock post = page("127.0.0.1:8080");
-  post.method = "POST";
+  Request post = page("127.0.0.1:8080");
+  post.method(http::verb::post);
   expectVerdicts(Gate("127.0.0.1", 8080),
                  {
                      {"the page", page("127.0.0.1:8080"), 200},
