@@ -49,7 +49,7 @@ void FileKeeper::NotifyJob(const ONotifyEvent& event) {
   result->ticket = job.ticket;
   result->outcome = CheckStick(job.operation);
   if (result->outcome == FileResult::DONE) {
-    files_.CarryOut(job, result);
+    result->outcome = files_.CarryOut(job, result);
   }
   results_.Send();
 }

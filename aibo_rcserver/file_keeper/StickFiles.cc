@@ -6,7 +6,6 @@
 #include <string.h>
 
 using protocol::FileName;
-using protocol::MotionName;
 using protocol::PictureName;
 using protocol::version2::FileList;
 using protocol::version2::MAX_LISTED_FILES;
@@ -92,37 +91,29 @@ int CompareNames(const void* a, const void* b) {
 
 }  // namespace
 
-void StickFiles::CarryOut(const FileJob& job, FileResult* result) const {
-  result->ticket = job.ticket;
-  result->outcome = FileResult::DONE;
+FileResult::Outcome StickFiles::CarryOut(const FileJob& job, FileResult* result) const {
   switch (job.operation) {
     case FileJob::READ:
-      result->outcome = Read(job.kind, job.name, result->content, largestFile(job.kind), &result->size);
-      break;
+      return Read(job, result);
     case FileJob::STORE:
-      result->outcome = job.kind == MOTION_FILE ? StoreMotion(job.name, job.content, job.size)
-                                                : StorePicture(job.content, job.size, result->name);
-      break;
+      return job.kind == MOTION_FILE ? StoreMotion(job) : StorePicture(job, result->name);
     case FileJob::DELETE:
-      result->outcome = Delete(job.kind, job.name);
-      break;
-    case FileJob::LIST:
-      List(job.kind, &result->list);
-      break;
+      return Delete(job);
+    default:
+      return List(job.kind, &result->list);
   }
 }
 
-FileResult::Outcome StickFiles::Read(FileKind kind, const FileName& name, unsigned char* bytes, size_t capacity,
-                                     size_t* size) const {
+FileResult::Outcome StickFiles::Read(const FileJob& job, FileResult* result) const {
   char path[MAX_PATH_SIZE];
-  if (!Find(kind, name, path)) {
+  if (!Find(job.kind, job.name, path)) {
     return FileResult::MISSING;
   }
   FILE* const file = host_.open_to_read(path);
   if (file == NULL) {
     return FileResult::FAILED;
   }
-  *size = fread(bytes, 1, capacity, file);
+  result->size = fread(result->content, 1, largestFile(job.kind), file);
   const bool is_whole = getc(file) == EOF;
   const bool has_failed = ferror(file) != 0;
   fclose(file);
@@ -132,14 +123,14 @@ FileResult::Outcome StickFiles::Read(FileKind kind, const FileName& name, unsign
   return is_whole ? FileResult::DONE : FileResult::TOO_LARGE;
 }
 
-FileResult::Outcome StickFiles::StoreMotion(const MotionName& name, const unsigned char* bytes, size_t size) const {
+FileResult::Outcome StickFiles::StoreMotion(const FileJob& job) const {
   char path[MAX_PATH_SIZE];
   char temporary_path[MAX_PATH_SIZE];
-  const bool has_path = Find(MOTION_FILE, name, path) || PathInFolder(host_, name, path);
+  const bool has_path = Find(MOTION_FILE, job.name, path) || PathInFolder(host_, job.name, path);
   if (!has_path || !PathInFolder(host_, TEMPORARY_FILE, temporary_path)) {
     return FileResult::FAILED;
   }
-  if (Write(temporary_path, bytes, size) && Rename(temporary_path, path)) {
+  if (Write(temporary_path, job.content, job.size) && Rename(temporary_path, path)) {
     return FileResult::DONE;
   }
   remove(temporary_path);
@@ -147,7 +138,7 @@ FileResult::Outcome StickFiles::StoreMotion(const MotionName& name, const unsign
 }
 
 // The reserve is written while the picture has its temporary name. The final name is new, so nothing is replaced.
-FileResult::Outcome StickFiles::StorePicture(const unsigned char* bytes, size_t size, PictureName& name) const {
+FileResult::Outcome StickFiles::StorePicture(const FileJob& job, PictureName& name) const {
   char path[MAX_PATH_SIZE];
   char temporary_path[MAX_PATH_SIZE];
   const FileResult::Outcome outcome = ChooseName(name);
@@ -157,7 +148,7 @@ FileResult::Outcome StickFiles::StorePicture(const unsigned char* bytes, size_t 
   if (!PathInFolder(host_, name, path) || !PathInFolder(host_, TEMPORARY_FILE, temporary_path)) {
     return FileResult::FAILED;
   }
-  const bool fits = Write(temporary_path, bytes, size) && HasReserve();
+  const bool fits = Write(temporary_path, job.content, job.size) && HasReserve();
   if (fits && rename(temporary_path, path) == 0) {
     return FileResult::DONE;
   }
@@ -165,21 +156,22 @@ FileResult::Outcome StickFiles::StorePicture(const unsigned char* bytes, size_t 
   return fits ? FileResult::FAILED : FileResult::FULL;
 }
 
-FileResult::Outcome StickFiles::Delete(FileKind kind, const FileName& name) const {
+FileResult::Outcome StickFiles::Delete(const FileJob& job) const {
   char path[MAX_PATH_SIZE];
-  if (!Find(kind, name, path)) {
+  if (!Find(job.kind, job.name, path)) {
     return FileResult::MISSING;
   }
   return remove(path) == 0 ? FileResult::DONE : FileResult::FAILED;
 }
 
-void StickFiles::List(FileKind kind, FileList* list) const {
+FileResult::Outcome StickFiles::List(FileKind kind, FileList* list) const {
   list->count = 0;
   FolderReader folder(host_, kind);
   while (list->count < MAX_LISTED_FILES && folder.Next(list->names[list->count]) != NULL) {
     ++list->count;
   }
   qsort(list->names, list->count, sizeof(FileName), CompareNames);
+  return FileResult::DONE;
 }
 
 bool StickFiles::Find(FileKind kind, const FileName& name, char (&path)[MAX_PATH_SIZE]) const {

@@ -25,34 +25,21 @@ class StickFiles {
   /// @param host the host, which gives the folder of the memory stick
   explicit StickFiles(const HostSettings& host) : host_(host) {}
 
-  /// Carries out a job.
-  /// @param[out] result only the members for the job's operation are written
-  void CarryOut(const FileJob& job, FileResult* result) const;
-
-  /// @param[out] bytes room for capacity bytes
-  /// @param[out] size set if the result is DONE
-  FileResult::Outcome Read(FileKind kind, const protocol::FileName& name, unsigned char* bytes, size_t capacity,
-                           size_t* size) const;
-
-  /// Stores a motion, replacing one of the same name.
-  /// @return DONE or FAILED, for instance if the stick is full; after FAILED, nothing of the motion is left
-  FileResult::Outcome StoreMotion(const protocol::MotionName& name, const unsigned char* bytes, size_t size) const;
-
-  /// Stores a picture under a new name: AIBO0001.JPG, or the highest number so far plus one. OPEN-R does not report the
-  /// free space, so this function writes PICTURE_RESERVE bytes beside the picture and removes them again.
-  /// @param[out] name set if the result is DONE
-  /// @return DONE, FULL, TOO_MANY, NO_NUMBER or FAILED; unless it is DONE, nothing of the picture is left
-  FileResult::Outcome StorePicture(const unsigned char* bytes, size_t size, protocol::PictureName& name) const;
-
-  FileResult::Outcome Delete(FileKind kind, const protocol::FileName& name) const;
-
-  /// @param[out] list the files of this kind, sorted by name; if there are too many, some are missing
-  void List(FileKind kind, protocol::version2::FileList* list) const;
+  /// Carries out a job. A motion replaces one of the same name. A picture gets a new name: AIBO0001.JPG, or the highest
+  /// number so far plus one. OPEN-R does not report the free space, so PICTURE_RESERVE bytes are written beside the
+  /// picture and removed again. A list is sorted by name; if there are too many files, some are missing.
+  /// @param[out] result only the members for the job's operation are written, and only if the outcome is DONE
+  FileResult::Outcome CarryOut(const FileJob& job, FileResult* result) const;
 
  private:
   StickFiles(const StickFiles&);
   StickFiles& operator=(const StickFiles&);
 
+  FileResult::Outcome Read(const FileJob& job, FileResult* result) const;
+  FileResult::Outcome StoreMotion(const FileJob& job) const;
+  FileResult::Outcome StorePicture(const FileJob& job, protocol::PictureName& name) const;
+  FileResult::Outcome Delete(const FileJob& job) const;
+  FileResult::Outcome List(FileKind kind, protocol::version2::FileList* list) const;
   bool Find(FileKind kind, const protocol::FileName& name, char (&path)[MAX_PATH_SIZE]) const;
   FileResult::Outcome ChooseName(protocol::PictureName& name) const;
   bool HasReserve() const;

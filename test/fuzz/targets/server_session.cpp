@@ -210,7 +210,8 @@ class SlowFiles final : public FileJobs {
   void ClientGone() override { is_for_earlier_client_ = true; }
 
   const FileResult& doJob() {
-    files_.CarryOut(job_, &result_);
+    result_.ticket = job_.ticket;
+    result_.outcome = files_.CarryOut(job_, &result_);
     has_job_ = false;
     return result_;
   }

@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <memory>
+
 #include "motion_bytes.h"
 #include "support/memory_stick.h"
 
@@ -15,28 +18,29 @@ class FilesOnTheStick : public ::testing::Test {
     std::filesystem::create_directory(folder_);
   }
 
-  struct Name {
-    explicit Name(const std::string& text) {
-      EXPECT_EQ(protocol::readMotionName(text.data(), text.size(), name), nullptr);
-    }
-    protocol::MotionName name;
-  };
-
-  bool store(const std::string& name, const std::string& content) {
-    return files_.StoreMotion(Name(name).name, reinterpret_cast<const unsigned char*>(content.data()),
-                              content.size()) == FileResult::DONE;
+  // @return true if it was done
+  bool carryOut(FileJob::Operation operation, const std::string& name = "", const std::string& content = "") {
+    job_->operation = operation;
+    job_->kind = MOTION_FILE;
+    protocol::readMotionName(name.data(), name.size(), job_->name);
+    job_->size = content.size();
+    std::copy(content.begin(), content.end(), job_->content);
+    return files_.CarryOut(*job_, result_.get()) == FileResult::DONE;
   }
 
-  std::vector<std::string> listed(FileKind kind = MOTION_FILE) {
-    protocol::version2::FileList list;
-    files_.List(kind, &list);
-    return {list.names, list.names + list.count};
+  bool store(const std::string& name, const std::string& content) { return carryOut(FileJob::STORE, name, content); }
+
+  std::vector<std::string> listed() {
+    EXPECT_TRUE(carryOut(FileJob::LIST));
+    return {result_->list.names, result_->list.names + result_->list.count};
   }
 
   test_support::MemoryStick stick_;
   std::filesystem::path folder_ = stick_.path(DATA_FOLDER);
   HostSettings host_;
   StickFiles files_{host_};
+  const std::unique_ptr<FileJob> job_ = std::make_unique<FileJob>();
+  const std::unique_ptr<FileResult> result_ = std::make_unique<FileResult>();
 };
 
 TEST_F(FilesOnTheStick, AnUploadFollowsNoLink) {
@@ -72,7 +76,7 @@ TEST_F(FilesOnTheStick, FindsAFileInUpperOrLowerCase) {
   EXPECT_THAT(listed(), testing::ElementsAre("HOP.MTN"));
   EXPECT_TRUE(store("hop.MTN", "new"));
   EXPECT_THAT(namesIn(folder_), testing::ElementsAre("Hop.mtn"));
-  EXPECT_EQ(files_.Delete(MOTION_FILE, Name("HOP.MTN").name), FileResult::DONE);
+  EXPECT_TRUE(carryOut(FileJob::DELETE, "HOP.MTN"));
   EXPECT_THAT(namesIn(folder_), testing::IsEmpty());
 }
 
