@@ -21,6 +21,7 @@
 
 #include "figures.h"
 #include "picture_encoder/JpegEncoder.h"
+#include "picture_encoder/PictureJob.h"
 #include "support/camera_image_fixture.h"
 
 using test_support::CameraImageFixture;
@@ -175,7 +176,7 @@ void encodePicture(benchmark::State& state) {
   JpegEncoder encoder;
   BareTurboJpeg turbo_jpeg(width, height);
   BareLibjpeg libjpeg(width, height);
-  std::vector<uint8_t> jpeg(JpegEncoder::WorstCaseSize(width, height));
+  std::vector<uint8_t> jpeg(ENCODED_PICTURE_CAPACITY);
   const std::array<std::function<size_t(const CameraImage&)>, 3> encoders{
       [&](const CameraImage& image) { return encoder.Encode(image, quality, jpeg.data(), jpeg.size()); },
       [&](const CameraImage& image) { return turbo_jpeg.encode(image, quality); },

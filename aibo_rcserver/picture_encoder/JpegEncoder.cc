@@ -88,10 +88,6 @@ JpegEncoder::~JpegEncoder() {
   }
 }
 
-size_t JpegEncoder::WorstCaseSize(size_t width, size_t height) {
-  return RoundUp(width) * RoundUp(height) * 3 + 2048;
-}
-
 size_t JpegEncoder::EncodeWith(const CameraImage& image, const DetailBands* detail, int quality, unsigned char* jpeg,
                                size_t capacity) {
   const size_t scale = detail != NULL ? 2 : 1;

@@ -27,11 +27,6 @@ class JpegEncoder {
   JpegEncoder();
   ~JpegEncoder();
 
-  /// A number of bytes that holds any picture of this size at any quality: three per pixel, with both sides rounded up
-  /// to 16, and 2048 for headers. This is libjpeg-turbo's bound (tjBufSize) for 4:2:0. The report's 64 KB (section
-  /// 3.3.3) are too few: noise at quality 100 takes up to 77 KB.
-  static size_t WorstCaseSize(size_t width, size_t height);
-
   /// @param quality 0..100
   /// @param[out] jpeg the JPEG file
   /// @param capacity bytes that fit into `jpeg`

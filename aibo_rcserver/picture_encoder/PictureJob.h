@@ -9,9 +9,10 @@
 const size_t MAX_IMAGE_WIDTH = 208;
 const size_t MAX_IMAGE_HEIGHT = 160;
 
-/// Room for any picture of that size (JpegEncoder::WorstCaseSize() says 101888), and any real picture at double
-/// resolution. Noise at double resolution does not fit at high qualities; it is encoded again at CAREFUL_QUALITY, which
-/// fits. There is not more room, because the IPStack's shared memory may be scarce.
+/// Room for any picture of that size, and any real picture at double resolution. libjpeg-turbo's bound (tjBufSize) for
+/// that size is 101888; the report's 64 KB (section 3.3.3) are too few. Noise at double resolution does not fit at high
+/// qualities; it is encoded again at CAREFUL_QUALITY, which fits. There is not more room, because the IPStack's shared
+/// memory may be scarce.
 const size_t ENCODED_PICTURE_CAPACITY = 128 * 1024;
 const int CAREFUL_QUALITY = 25;
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "picture_encoder/JpegEncoder.h"
+#include "picture_encoder/PictureJob.h"
 #include "simulator/ers7/camera/camera.h"
 #include "simulator/ers7/camera/scene_view.h"
 
@@ -65,7 +66,7 @@ int main(int argc, char** argv) {
     images.push_back(planesOf(static_cast<OFbkImageVectorData*>(base), layer));
     details.push_back(detailOf(static_cast<OFbkImageVectorData*>(base)));
   }
-  std::vector<unsigned char> jpeg(JpegEncoder::WorstCaseSize(2 * images[0].width, 2 * images[0].height));
+  std::vector<unsigned char> jpeg(ENCODED_PICTURE_CAPACITY);
   std::size_t bytes = 0;
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t i = 0; i < images.size(); ++i) {
