@@ -90,22 +90,6 @@ TEST(TcpTransportTest, TheRobotsCloseAndResetAreFaults) {
   }
 }
 
-TEST(TcpTransportTest, ANameLookupThatHangsIsTakenUpAgainByTheNextAttempt) {
-  ScriptedServer server;
-  std::promise<void> name_server_answers;
-  int lookups = 0;
-  TcpTransport transport([&, answer = name_server_answers.get_future().share()](const std::string&, int) {
-    ++lookups;
-    answer.wait();
-    return resolveWithSystem("127.0.0.1", server.port());
-  });
-  EXPECT_EQ(FaultKind::kNameNotFound, faultOf([&] { transport.connect("aibo", 54321, in(milliseconds(50))); }));
-  EXPECT_EQ(FaultKind::kNameNotFound, faultOf([&] { transport.connect("aibo", 54321, in(milliseconds(50))); }));
-  name_server_answers.set_value();
-  transport.connect("aibo", 54321, soon());
-  EXPECT_EQ(1, lookups);
-}
-
 TEST(TcpTransportTest, BytesThatTheNetworkDoesNotTakeAtOnceAreSentWhileWaiting) {
   ScriptedServer server;
   server.limitReceiveBuffer();
