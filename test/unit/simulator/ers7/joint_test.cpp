@@ -52,21 +52,6 @@ TEST(Joint, NeverExceedsItsHighestSpeedAndNeverOvershootsAFixedCommand) {
   }
 }
 
-// Level2 Reference Guide, pages 70 and 71: EnableJointGain, DisableJointGain, SetJointGain.
-TEST(Joint, AcceptsGainsOnlyWhileItsGainIsEffective) {
-  const robot_model::Joint& model_of_joint = jointModel("head_pan");
-  Joint joint(model_of_joint, 0);
-  joint.setPower(true);
-  joint.command(100000);
-  EXPECT_EQ(joint.setGains(model_of_joint.gains), oGAIN_DISABLED);
-  joint.enableGain();
-  pass(joint, 50);
-  EXPECT_EQ(joint.position(), 0) << "gains that come too early have no effect";
-  EXPECT_EQ(joint.setGains(model_of_joint.gains), oSUCCESS);
-  pass(joint, 50);
-  EXPECT_EQ(joint.position(), 100000) << "the command takes effect with the gain";
-}
-
 TEST(Joint, DoesNotMoveWithoutGainOrPowerButRemembersItsCommand) {
   Joint joint = drivenJoint(jointModel("head_pan"), 0);
   joint.setPower(false);

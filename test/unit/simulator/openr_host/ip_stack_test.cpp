@@ -102,11 +102,7 @@ class IpStackTest : public EndpointTest {
   void receive(const antModuleRef& endpoint, int min, int max) {
     post(TCPEndpointReceiveMsg(endpoint, buffer_, min, max));
   }
-  void close(const antModuleRef& endpoint, bool abort = false) {
-    TCPEndpointCloseMsg message(endpoint);
-    message.abort = abort;
-    post(message);
-  }
+  void close(const antModuleRef& endpoint) { post(TCPEndpointCloseMsg(endpoint)); }
 
   /// An endpoint with client_.
   antModuleRef connect(int receive_buffer = 0, int pool_size = kPoolSize) {
@@ -215,15 +211,6 @@ TEST_F(IpStackTest, ACloseEndsTheReceiveLetsTheSendFinishAndWaitsForTheClient) {
   expectAnswers({{antOperation_TCPClose, TCP_SUCCESS}});
   send(endpoint, 1);
   expectAnswers({{antOperation_TCPSend, TCP_OPERATION_INVALID}});
-}
-
-// 2.7: "a normal close takes too much time and is aborted by one of the objects".
-TEST_F(IpStackTest, AnAbortEndsACloseThatWaits) {
-  const auto endpoint = connect();
-  close(endpoint);
-  test_.runPending();
-  close(endpoint, true);
-  expectAnswers({{antOperation_TCPClose, TCP_CONNECTION_RESET}, {antOperation_TCPClose, TCP_SUCCESS}});
 }
 
 TEST_F(IpStackTest, ClosingAListeningEndpointEndsTheListen) {
