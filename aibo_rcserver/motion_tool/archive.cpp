@@ -59,18 +59,11 @@ ArchivedFile readEntry(const std::string& bytes, std::size_t number) {
   return {name.substr(0, name.find('\0')), bytes.substr(offset, size)};
 }
 
-void unpackContents(std::vector<ArchivedFile>& files) {
-  std::size_t size = 0;  // limited, because a small archive could fill any disk
-  for (ArchivedFile& file : files) {
-    try {
-      file.content = host_files::unpacked(std::move(file.content), kLongestContents);
-    } catch (const host_files::Unreadable& why) {
-      throw std::runtime_error(fileNameOf(file) + " in the archive cannot be unpacked: " + why.what());
-    }
-    size += file.content.size();
-    if (size > kLongestContents) {
-      throw std::runtime_error("the archive's files have more than 64 MiB unpacked");
-    }
+void unpackContent(ArchivedFile& file) {
+  try {
+    file.content = host_files::unpacked(std::move(file.content), kLongestContents);
+  } catch (const host_files::Unreadable& why) {
+    throw std::runtime_error(fileNameOf(file) + " in the archive cannot be unpacked: " + why.what());
   }
 }
 
@@ -97,15 +90,15 @@ std::vector<ArchivedFile> readArchive(const std::string& bytes) {
     throw std::runtime_error("the archive is cut off: it claims to have " + std::to_string(count) + " files");
   }
   std::vector<ArchivedFile> files;
-  std::size_t size = kHeaderSize + count * kEntrySize;
+  std::size_t size = 0;
   for (std::size_t i = 0; i < count; ++i) {
     files.push_back(readEntry(bytes, i));
+    unpackContent(files.back());
     size += files.back().content.size();
-    if (size > bytes.size()) {  // when unpacked, the file could fill any disk
-      throw std::runtime_error("the files of the archive overlap: together they are larger than the archive");
+    if (size > kLongestContents) {  // a small archive, whose files overlap, could fill any disk
+      throw std::runtime_error("the archive's files have more than 64 MiB unpacked");
     }
   }
-  unpackContents(files);
   return files;
 }
 
