@@ -1,5 +1,4 @@
 #include <cstddef>
-#include <cstdint>
 #include <stdexcept>
 
 #include "motion_tool/motion_tool.h"
@@ -8,18 +7,11 @@
 namespace motion_tool {
 namespace {
 
-void append(std::string& bytes, std::uint32_t value, int size) {
+// Appends the lowest bytes of a number.
+void append(std::string& bytes, std::size_t value, int size) {
   for (int i = 0; i < size; ++i) {
     bytes.push_back(static_cast<char>(value >> (8 * i)));
   }
-}
-
-void append16(std::string& bytes, std::size_t value) {
-  append(bytes, static_cast<std::uint32_t>(value), 2);
-}
-
-void append32(std::string& bytes, std::size_t value) {
-  append(bytes, static_cast<std::uint32_t>(value), 4);
 }
 
 void appendText(std::string& bytes, const std::string& text) {
@@ -30,24 +22,24 @@ void appendText(std::string& bytes, const std::string& text) {
   bytes += text;
 }
 
-std::string section(std::uint32_t number, std::string content) {
+std::string section(std::size_t number, std::string content) {
   while (content.size() % 4 != 0) {
     content.push_back('\0');
   }
   std::string bytes;
-  append32(bytes, number);
-  append32(bytes, mtn::SECTION_HEADER_SIZE + content.size());
+  append(bytes, number, 4);
+  append(bytes, mtn::SECTION_HEADER_SIZE + content.size(), 4);
   return bytes + content;
 }
 
 std::string generalSection(const KeyFrameMotion& motion) {
   std::string content;
-  append32(content, mtn::NUMBER_OF_SECTIONS);
-  append16(content, mtn::MAJOR_VERSION);
-  append16(content, mtn::MINOR_VERSION);
-  append16(content, motion.key_frames.size());
-  append16(content, static_cast<std::size_t>(motion.frame_milliseconds));
-  append32(content, 0);
+  append(content, mtn::NUMBER_OF_SECTIONS, 4);
+  append(content, mtn::MAJOR_VERSION, 2);
+  append(content, mtn::MINOR_VERSION, 2);
+  append(content, motion.key_frames.size(), 2);
+  append(content, static_cast<std::size_t>(motion.frame_milliseconds), 2);
+  append(content, 0, 4);
   return section(0, content);
 }
 
@@ -61,7 +53,7 @@ std::string textSection(const KeyFrameMotion& motion) {
 
 std::string locatorSection(const KeyFrameMotion& motion) {
   std::string content;
-  append16(content, motion.locators.size());
+  append(content, motion.locators.size(), 2);
   for (const std::string& locator : motion.locators) {
     appendText(content, locator);
   }
@@ -70,15 +62,15 @@ std::string locatorSection(const KeyFrameMotion& motion) {
 
 std::string keyFrameSection(const KeyFrameMotion& motion) {
   std::string content;
-  append32(content, 0);
+  append(content, 0, 4);
   for (std::size_t i = 0; i < motion.key_frames.size(); ++i) {
     if (i > 0) {
       const int step = motion.key_frames[i].milliseconds - motion.key_frames[i - 1].milliseconds;
-      append32(content, static_cast<std::size_t>(step / motion.frame_milliseconds - 1));  // interpolated frames
+      append(content, static_cast<std::size_t>(step / motion.frame_milliseconds - 1), 4);  // interpolated frames
     }
     content.append(mtn::VALUES_OF_BODY * mtn::VALUE_SIZE, '\0');
     for (const int position : motion.key_frames[i].positions) {
-      append32(content, static_cast<std::uint32_t>(position));
+      append(content, static_cast<std::size_t>(position), 4);
     }
   }
   return section(3, content);

@@ -226,21 +226,13 @@ std::string quoted(const std::string& text) {
   return result;
 }
 
-std::string jointName(const RobotModel* robot, const char* locator) {
-  if (robot == nullptr) {
-    return locator;
+// A joint with its angle, or an ear with its state.
+std::string printed(const RobotModel* robot, const char* locator, int position) {
+  if (isEar(robot, locator)) {
+    return std::string(robot->ears[findEarByLocator(*robot, locator)].name) + ' ' + std::to_string(position);
   }
-  const int ear = findEarByLocator(*robot, locator);
-  if (ear != robot_model::NO_EAR) {
-    return robot->ears[ear].name;
-  }
-  const int index = findJointByLocator(*robot, locator);
-  return index == robot_model::NO_JOINT ? locator : robot->joints[index].name;
-}
-
-// The value of a joint or ear. An ear's value is a state, not an angle.
-std::string valueOf(const RobotModel* robot, const char* locator, int position) {
-  return isEar(robot, locator) ? std::to_string(position) : degreesOf(position);
+  const int joint = robot != nullptr ? findJointByLocator(*robot, locator) : robot_model::NO_JOINT;
+  return std::string(joint == robot_model::NO_JOINT ? locator : robot->joints[joint].name) + ' ' + degreesOf(position);
 }
 
 }  // namespace
@@ -270,9 +262,7 @@ std::string printTextForm(const mtn::Motion& motion) {
     milliseconds += motion.milliseconds(key_frame);
     text << "\nat " << milliseconds << '\n';
     for (int joint = 0; joint < motion.numberOfJoints(); ++joint) {
-      const char* const locator = motion.locator(joint);
-      text << "  " << jointName(robot, locator) << ' ' << valueOf(robot, locator, motion.position(key_frame, joint))
-           << '\n';
+      text << "  " << printed(robot, motion.locator(joint), motion.position(key_frame, joint)) << '\n';
     }
   }
   return text.str();
