@@ -29,8 +29,9 @@ using FollowGoal = test_support::GoalWatch<control_msgs::FollowJointTrajectoryAc
 
 class PlayUser : public JointUser {
  public:
-  explicit PlayUser(const std::string& name_space, const std::vector<std::string>& parameters = kQuick)
-      : JointUser(name_space, parameters), client(name_space + "/play_motion") {
+  explicit PlayUser(const std::string& name_space, const std::vector<std::string>& parameters = kQuick,
+                    const std::vector<std::string>& robot_options = {})
+      : JointUser(name_space, parameters, robot_options), client(name_space + "/play_motion") {
     EXPECT_TRUE(client.waitForActionServerToStart(ros::Duration(60)));
   }
 
@@ -71,11 +72,29 @@ TEST(PlayMotionGoal, SucceedsAtTheEndOfTheMotionAndTellsTheTimeMeanwhile) {
   PlayUser user("/play", {"_motion_speed_limit:=0.7"});
   const ros::SteadyTime begin = ros::SteadyTime::now();
   const auto goal = PlayGoal::begin(user.client, PlayUser::nod(0));  // it plays at least once
+  EXPECT_GT(goal->waitForFeedback()->time.toSec(), 0);
   EXPECT_LE(goal->waitForFeedback()->time.toSec(), (ros::SteadyTime::now() - begin).toSec());
   ASSERT_EQ(goal->waitForEnd(), State::SUCCEEDED);
   EXPECT_TRUE(goal->result()->success);
   EXPECT_EQ(goal->result()->end, EndedMovement::DONE);
   EXPECT_THAT(goal->result()->message, HasSubstr("It was played to its end: 4 steps are too fast"));
+}
+
+TEST(PlayMotionGoal, IsRejectedIfTheMotionDoesNotBegin) {
+  PlayUser user("/play_nothing");
+  PlayGoal::Goal missing = PlayUser::nod(1);
+  missing.name = "missing";
+  PlayGoal goal(user.client, missing);
+  EXPECT_EQ(goal.waitForEnd(), State::REJECTED);
+  EXPECT_THAT(goal.result()->message, HasSubstr("Nothing was played: "));
+}
+
+TEST(PlayMotionGoal, SucceedsAtOnceWithAServerThatDoesNotReportTheEnd) {
+  PlayUser user("/play1", kQuick, {"--protocol-version", "1"});
+  EXPECT_TRUE(user.becomesTrue([&user] {
+    PlayGoal goal(user.client, PlayUser::nod(100));
+    return goal.waitForEnd() == State::SUCCEEDED && goal.result()->end == EndedMovement::UNKNOWN;
+  }));
 }
 
 TEST(PlayMotionGoal, SaysHowTheMotionEndedEarly) {
@@ -164,17 +183,22 @@ TEST(Actions, RejectGoalsThatAreTooManyOrTooLong) {
 
 TEST(FollowGoal, IsFollowedWithFeedbackAndWithinTolerances) {
   FollowUser user("/follow");
-  FollowJointTrajectoryGoal request = FollowUser::goal({{"head_pan", 0.5}, {"neck_tilt", -1.0}}, 1.0);
-  request.goal_tolerance = {tolerance("head_pan", 0.03)};
+  FollowJointTrajectoryGoal request =
+      FollowUser::goal({{"head_pan", 0.5}, {"head_tilt", -0.2}, {"neck_tilt", -1.0}}, 1.0);
+  request.goal_tolerance = {tolerance("head_pan", 0.03), tolerance("head_tilt", -1)};  // the neck is in its way
+  request.path_tolerance = {tolerance("head_pan", 0), tolerance("neck_tilt", -1)};
+  request.path_tolerance[0].acceleration = 1e-9;  // none of these counts
+  const ros::SteadyTime begin = ros::SteadyTime::now();
   const auto goal = FollowGoal::begin(user.client, request);
   const auto feedback = goal->waitForFeedback();
   ASSERT_TRUE(feedback);
-  ASSERT_THAT(feedback->joint_names, ::testing::ElementsAre("head_pan", "neck_tilt"));
+  ASSERT_THAT(feedback->joint_names, ::testing::ElementsAre("head_pan", "head_tilt", "neck_tilt"));
   const auto& [error, desired, actual] = std::tie(feedback->error, feedback->desired, feedback->actual);
-  EXPECT_NEAR(error.positions.at(1), desired.positions.at(1) - actual.positions.at(1), 1e-9);
-  EXPECT_NEAR(error.velocities.at(1), desired.velocities.at(1) - actual.velocities.at(1), 1e-9);
+  EXPECT_NEAR(error.positions.at(2), desired.positions.at(2) - actual.positions.at(2), 1e-9);
+  EXPECT_NEAR(error.velocities.at(2), desired.velocities.at(2) - actual.velocities.at(2), 1e-9);
   ASSERT_EQ(goal->waitForEnd(), State::SUCCEEDED) << goal->result()->error_string;
   EXPECT_EQ(goal->result()->error_code, Result::SUCCESSFUL);
+  EXPECT_LE(goal->feedbacks(), 20 * (ros::SteadyTime::now() - begin).toSec() + 2);
   EXPECT_NEAR(user.joints.position("head_pan"), 0.5, 0.05);
 }
 
@@ -206,14 +230,25 @@ TEST(FollowGoal, OutsideItsTolerancesIsAbortedWithItsCode) {
   FollowUser user("/follow_tolerances");
   FollowJointTrajectoryGoal path = FollowUser::goal({{"head_pan", 1.4}}, 7.0);
   path.path_tolerance = {tolerance("head_pan", 0.0001)};
+  FollowJointTrajectoryGoal speed = FollowUser::goal({{"head_pan", -1.4}}, 7.0);
+  speed.path_tolerance = {tolerance("head_pan", 0)};
+  speed.path_tolerance[0].velocity = 0.0001;
   FollowJointTrajectoryGoal end = FollowUser::goal({{"head_pan", 0.5000005}}, 0.5);
   end.goal_tolerance = {tolerance("head_pan", 1e-9)};
-  end.goal_time_tolerance = ros::Duration(0.7);
-  for (const auto& [request, code] :
-       {std::pair(path, Result::PATH_TOLERANCE_VIOLATED), {end, Result::GOAL_TOLERANCE_VIOLATED}}) {
+  FollowJointTrajectoryGoal sooner = end;
+  sooner.goal_time_tolerance = ros::Duration(0.7);
+  const std::tuple<FollowJointTrajectoryGoal, int, double> rows[] = {
+      {path, Result::PATH_TOLERANCE_VIOLATED, 0},
+      {speed, Result::PATH_TOLERANCE_VIOLATED, 0},
+      {end, Result::GOAL_TOLERANCE_VIOLATED, 0.5 + 2},
+      {sooner, Result::GOAL_TOLERANCE_VIOLATED, 0.5 + 0.7},
+  };
+  for (const auto& [request, code, least_seconds] : rows) {
+    const ros::SteadyTime begin = ros::SteadyTime::now();
     FollowGoal goal(user.client, request);
     ASSERT_EQ(goal.waitForEnd(), State::ABORTED);
-    EXPECT_EQ(goal.result()->error_code, int(code)) << goal.result()->error_string;
+    EXPECT_GT((ros::SteadyTime::now() - begin).toSec(), least_seconds - 0.1);
+    EXPECT_EQ(goal.result()->error_code, code) << goal.result()->error_string;
   }
 }
 

@@ -57,6 +57,12 @@ class GoalWatch {
     return over_ ? end_ : actionlib::TerminalState::LOST;
   }
 
+  /// How many have come so far.
+  int feedbacks() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return feedbacks_;
+  }
+
   /// Null before the end.
   ResultPtr result() const {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -93,6 +99,7 @@ class GoalWatch {
   void received(const FeedbackPtr& feedback) {
     const std::lock_guard<std::mutex> lock(mutex_);
     feedback_ = feedback;
+    ++feedbacks_;
     changed_.notify_all();
   }
 
@@ -102,6 +109,7 @@ class GoalWatch {
   actionlib::TerminalState::StateEnum end_ = actionlib::TerminalState::LOST;
   ResultPtr result_;
   FeedbackPtr feedback_;
+  int feedbacks_ = 0;
   typename Client::GoalHandle handle_;
 };
 
