@@ -1,5 +1,7 @@
 // The nodes and nodelets as a user starts them, and the names, types and latching of docs/ros_interface.md.
 
+#include <aibo_driver/Leds.h>
+#include <geometry_msgs/PointStamped.h>
 #include <gmock/gmock.h>
 #include <nodelet/NodeletLoad.h>
 #include <nodelet/NodeletUnload.h>
@@ -11,6 +13,7 @@
 #include <rosgraph_msgs/Log.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
+#include <sensor_msgs/JointState.h>
 #include <signal.h>
 #include <topic_tools/shape_shifter.h>
 #include <xmlrpcpp/XmlRpcValue.h>
@@ -213,6 +216,19 @@ TEST(Programs, StartedInTheRootNamespaceUseTheDriverUnderAibo) {
   }
 }
 
+TEST(Programs, LatchWhatRvizShows) {
+  const std::pair<const char*, const char*> rows[] = {
+      {AIBO_LOOK_AT, "look_at_floor"}, {AIBO_LOOK_AT, "look_at_result"}, {AIBO_LIGHTS, "lights"}, {AIBO_ROOM, "room"}};
+  test_support::TopicPublishers user("/latches");
+  for (const auto& [path, topic] : rows) {
+    const Process program({path, "__ns:=/latches"});
+    if (topic == std::string("look_at_result")) {
+      user.publish("look_at", geometry_msgs::PointStamped());
+    }
+    EXPECT_EQ(firstHeaderOf(std::string("/latches/") + topic)["latching"], "1") << topic;
+  }
+}
+
 TEST(Programs, HaveAHelpAndRefuseOtherArguments) {
   for (const char* path : {AIBO_FOLLOW_BALL, AIBO_IMAGE_DECODER, AIBO_LIGHTS, AIBO_LOOK_AT, AIBO_MONITOR, AIBO_PLAYBACK,
                            AIBO_ROOM, AIBO_TELEOP_JOY, AIBO_TELEOP_KEYBOARD}) {
@@ -247,6 +263,22 @@ TEST(Node, WarnsOfWhatMayBeAMistake) {
                               "WARN.*The driver has no parameter /doubtful/aibo_driver/jpg_quality, and ignores it",
                               "192\\.0\\.2\\.1, which is not an address of this computer.*ROS_IP"}) {
     EXPECT_NO_THROW(driver.waitForOutput(warning)) << warning;
+  }
+}
+
+TEST(Log, HasALoggerForEachPart) {
+  DriverProcess driver("/loggers", 1, {}, {{"ROSCONSOLE_FORMAT", "${logger}: ${message}"}});
+  test_support::TopicPublishers user("/loggers");
+  aibo_driver::Leds leds;
+  leds.names = {"nose"};
+  leds.intensities = {1};
+  user.publish("leds", leds);
+  sensor_msgs::JointState command;
+  command.name = {"head_pan"};
+  command.position = {0.1};
+  user.publish("joint_command", command);
+  for (const std::string logger : {"client", "camera", "expression", "joints"}) {
+    EXPECT_NO_THROW(driver.waitForOutput("ros\\.aibo_driver\\." + logger + ": ")) << logger;
   }
 }
 
