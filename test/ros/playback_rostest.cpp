@@ -286,6 +286,8 @@ TEST_F(PlaybackTest, ARecordingHasTheTopicsOfOneRobotAndNoneThatMovesOne) {
   EXPECT_THAT(topics("/right"),
               ::testing::UnorderedElementsAre("/diagnostics", "/right/connection", "/right/camera/image_raw"))
       << "it has no other pictures";
+  EXPECT_EQ(aibo_driver::tools::Recording(path("two.bag"), "/left").topics().at("/diagnostics"), "diagnostics")
+      << "in the namespace of the playback";
 }
 
 TEST_F(PlaybackTest, TopicsOfAnotherVersionAreNamedOnceAndLeftOut) {
