@@ -287,6 +287,21 @@ TEST_F(WebTest, WalksAsLongAsAFingerIsOnThePad) {
   }
 }
 
+TEST_F(WebTest, HasTheUsualSpeedsAtTheEdgesOfThePad) {
+  Web web("/web");
+  BrowserPage page(web);
+  ASSERT_TRUE(page.hears(kConnected));
+  TopicListener<Twist> velocities("/web/cmd_vel");
+  EXPECT_TRUE(DriverUser::becomesTrue([&] {
+    page.order("steer", R"("forward": 2, "left": 1, "turn": -1)");
+    return velocities.waitFor(
+               [](const Twist& each) {
+                 return each.linear.x == 0.1 && each.linear.y == 0.05 && each.angular.z == -0.5;
+               },
+               milliseconds(50)) != nullptr;
+  }));
+}
+
 TEST_F(WebTest, TurnsTheHead) {
   Web web("/web");
   BrowserPage page(web);
@@ -332,6 +347,8 @@ TEST_F(WebTest, PassesOnOrdersAndSaysWhatCameOfThem) {
   EXPECT_TRUE(page.hears("NOD.MTN"));
   page.order("sit");
   EXPECT_TRUE(page.hears(R"("type": "said", "text": "sit: )"));
+  page.order("rest");
+  EXPECT_TRUE(page.hears(R"("type": "said", "text": "rest: )"));
   page.order("play", R"("name": "no such")");
   EXPECT_TRUE(page.hears(R"("type": "refused", "text": "play no such: )"));
   const std::size_t before = page.pictures();
@@ -424,11 +441,17 @@ TEST(WebGate, NeedsTheCodeFromTheNetwork) {
 TEST(WebGate, ClosesFloodsAndKeepsAPlaceForItsUser) {
   Web web("/web_flooded");
   BrowserPage long_message(web);
-  long_message.send(std::string(5000, 'x'));
+  long_message.send(std::string(4097, 'x'));
   EXPECT_TRUE(long_message.isClosed());
   BrowserPage deep(web);
-  deep.send(std::string(4000, '['));
+  deep.send(std::string(4096, '['));
   EXPECT_TRUE(deep.hears("not understood"));
+  BrowserPage busy(web);
+  for (int i = 0; i < 199; ++i) {
+    busy.send("{}");
+  }
+  busy.order("sit", "", milliseconds(501));
+  EXPECT_TRUE(busy.hears("sit: it was on its way for too long")) << "200 messages are no flood";
   BrowserPage flood(web);
   for (int i = 0; i < 2000; ++i) {
     flood.send("{}");
@@ -445,6 +468,12 @@ TEST(WebGate, ClosesFloodsAndKeepsAPlaceForItsUser) {
   }
   EXPECT_FALSE(isRefused(web));
   EXPECT_LT(descriptors(), before + 30) << "the oldest had to go";
+}
+
+// Another program may have it.
+TEST(Web, IsAtPort8080OfThisComputerUnlessToldOtherwise) {
+  Process web({AIBO_WEB, "__ns:=/web_usual"});
+  EXPECT_NO_THROW(web.waitForOutput("is at http://127\\.0\\.0\\.1:8080/|at 127\\.0\\.0\\.1, port 8080:"));
 }
 
 TEST(Web, SaysWhyItCannotStart) {
