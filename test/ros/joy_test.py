@@ -51,10 +51,12 @@ class JoyTest(unittest.TestCase):
             ([1, 0], [0, 0]), ([1, -0.5], [0, 0]), ([1, -0.5], [0, 1]), ([1, -0.5], [0, 0]), ([1, 1], [0, 0]),
             ([0, 0], [0, 0])])
 
-    def test_repeats_until_the_joystick_is_gone_and_lets_go_then(self):
+    def test_repeats_20_times_a_second_until_the_joystick_is_gone_and_lets_go_then(self):
         press = [lambda: self.report(1, BUTTON, 0)]
-        self.assertEqual(self.published(press + [lambda: None] * 2), [
-            ([0, 0], [0, 0]), ([0, 0], [1, 0]), ([0, 0], [1, 0]), ([0, 0], [1, 0]), ([0, 0], [0, 0])])
+        with mock.patch.object(aibo_joy.select, 'select', wraps=aibo_joy.select.select) as waiting:
+            self.assertEqual(self.published(press + [lambda: None] * 2), [
+                ([0, 0], [0, 0]), ([0, 0], [1, 0]), ([0, 0], [1, 0]), ([0, 0], [1, 0]), ([0, 0], [0, 0])])
+        self.assertEqual({call.args[3] for call in waiting.call_args_list}, {1 / 20})
 
 
 if __name__ == '__main__':

@@ -212,8 +212,10 @@ TEST_F(RoomTest, IsThatOfTheSimulatedRobot) {
 }
 
 TEST_F(RoomTest, HasTheBallWhereItIsNowUntilTheConnectionIsLost) {
+  const ros::SteadyTime begin = ros::SteadyTime::now();
   EXPECT_TRUE(swings(ros::Duration(1.5)));
   EXPECT_TRUE(swings(ros::Duration(604.5))) << "the robot was switched on at another time";
+  EXPECT_LE(balls_.count(), 10 * (ros::SteadyTime::now() - begin).toSec() + 2);
   robot_.publish("connection", aibo_driver::Connection());
   EXPECT_TRUE(balls_.waitFor([](const Marker& ball) { return ball.action == Marker::DELETE; }));
 }

@@ -46,9 +46,11 @@ TEST_F(KeyboardTest, WalksWhileAKeyIsHeldDownAndThenStops) {
   teleop.waitForOutput("speeds: 0\\.200 m/s, sideways 0\\.050 m/s, turn 0\\.50 rad/s");
   EXPECT_THAT(teleop.output(), testing::HasSubstr("Hold a key down to walk:\n"));
   EXPECT_EQ(commands.count(), 0u) << "others may steer while no key is pressed";
+  const ros::SteadyTime pressed = ros::SteadyTime::now();
   keys_.type("i");
   ASSERT_TRUE(commands.waitFor([](const Twist& each) { return each.linear.x == 0.2; }));
   EXPECT_TRUE(commands.waitFor([](const Twist& each) { return !goes(each); })) << "the key was let go";
+  EXPECT_GE((ros::SteadyTime::now() - pressed).toSec(), 0.8);
   EXPECT_GT(commands.count(), 2u) << "meanwhile it is repeated";
 }
 
