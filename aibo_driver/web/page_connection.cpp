@@ -57,8 +57,14 @@ void PageConnection::answer() {
   Error error;
   address_ = tcpStream().socket().remote_endpoint(error).address().to_string();
   tcpStream().socket().set_option(tcp::no_delay(true), error);
-  const Verdict verdict = server_->judge(request_.get());
-  verdict.status == 101 ? open() : respond(verdict);
+  const Verdict verdict = server_->gate_.judge(request_.get());
+  if (verdict.status != 101) {
+    respond(verdict);
+  } else if (server_->pages_.size() >= PageServer::kMostPages) {
+    respond({503, "Too many pages are open.", ""});
+  } else {
+    open();
+  }
 }
 
 void PageConnection::respond(const Verdict& verdict) {

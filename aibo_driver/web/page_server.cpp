@@ -40,28 +40,19 @@ PageServer::PageServer(boost::asio::io_context& context, const std::string& addr
 void PageServer::accept() {
   acceptor_.async_accept([this](Error error, tcp::socket socket) {
     if (!error) {
-      admit(std::move(socket));
+      const auto connection = std::make_shared<PageConnection>(std::move(socket), *this);
+      newest_.push_back(connection);
+      connection->readRequest();
+    }
+    if (newest_.size() > kMostPages) {
+      const auto oldest = newest_.front().lock();
+      newest_.pop_front();
+      if (oldest && oldest->waits()) {
+        oldest->close();
+      }
     }
     accept();
   });
-}
-
-void PageServer::admit(tcp::socket socket) {
-  const auto connection = std::make_shared<PageConnection>(std::move(socket), *this);
-  newest_.push_back(connection);
-  connection->readRequest();
-  if (newest_.size() > kMostPages) {
-    const auto oldest = newest_.front().lock();
-    newest_.pop_front();
-    if (oldest && oldest->waits()) {
-      oldest->close();
-    }
-  }
-}
-
-Verdict PageServer::judge(const Request& request) const {
-  const Verdict verdict = gate_.judge(request);
-  return verdict.status == 101 && pages_.size() >= kMostPages ? Verdict{503, "Too many pages are open.", ""} : verdict;
 }
 
 Page PageServer::enter(const std::shared_ptr<PageConnection>& connection) {

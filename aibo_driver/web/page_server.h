@@ -78,11 +78,9 @@ class PageServer {
   friend class PageConnection;
 
   void accept();
-  void admit(boost::asio::ip::tcp::socket socket);
   void sendToAll(const std::string& kind, const Frame& frame);
 
   // For the connections.
-  Verdict judge(const Request& request) const;
   Page enter(const std::shared_ptr<PageConnection>& connection);
   void leave(Page page);
 
