@@ -67,19 +67,19 @@ bool isLatched(const ros::M_string& connection_header) {
   return found != connection_header.end() && found->second == "1";
 }
 
-template <typename Message>
+template <typename... Messages>
 bool hasChanged(const rosbag::ConnectionInfo& recorded) {
-  return recorded.datatype == ros::message_traits::DataType<Message>::value() &&
-         recorded.md5sum != ros::message_traits::MD5Sum<Message>::value();
+  return ((recorded.datatype == ros::message_traits::DataType<Messages>::value() &&
+           recorded.md5sum != ros::message_traits::MD5Sum<Messages>::value()) ||
+          ...);
 }
 
 /// True for the driver's messages whose definition was another one when they were recorded. Subscribers cannot receive
 /// them.
 bool isOfAnotherVersion(const rosbag::ConnectionInfo& recorded) {
   using namespace aibo_driver;  // NOLINT(google-build-using-namespace): its messages
-  return hasChanged<CameraState>(recorded) || hasChanged<ColorRegions>(recorded) || hasChanged<Connection>(recorded) ||
-         hasChanged<LedStates>(recorded) || hasChanged<LinkQuality>(recorded) || hasChanged<MotionState>(recorded) ||
-         hasChanged<RobotState>(recorded) || hasChanged<Sound>(recorded) || hasChanged<Touch>(recorded);
+  return hasChanged<CameraState, ColorRegions, Connection, LedStates, LinkQuality, MotionState, RobotState, Sound,
+                    Touch>(recorded);
 }
 
 class Playback {
