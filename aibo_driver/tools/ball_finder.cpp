@@ -28,69 +28,63 @@ struct Patch {
   }
 };
 
-// The patches of a mask.
-class Patches {
- public:
-  explicit Patches(const sensor_msgs::Image& mask)
-      : width_(static_cast<int>(mask.width)), height_(static_cast<int>(mask.height)) {
-    is_detected_.reserve(mask.width * mask.height);
-    for (std::size_t y = 0; y < mask.height; ++y) {
-      for (std::size_t x = 0; x < mask.width; ++x) {
-        const unsigned char* rgb = &mask.data[y * mask.step + 3 * x];
-        is_detected_.push_back(rgb[0] != 0 || rgb[1] != 0 || rgb[2] != 0);
+// The detected pixels of a mask.
+std::vector<bool> pixelsOf(const sensor_msgs::Image& mask) {
+  std::vector<bool> detected;
+  detected.reserve(mask.width * mask.height);
+  for (std::size_t y = 0; y < mask.height; ++y) {
+    for (std::size_t x = 0; x < mask.width; ++x) {
+      const unsigned char* rgb = &mask.data[y * mask.step + 3 * x];
+      detected.push_back(rgb[0] != 0 || rgb[1] != 0 || rgb[2] != 0);
+    }
+  }
+  return detected;
+}
+
+// Removes and returns the patch that contains a pixel.
+Patch takePatch(std::vector<bool>& detected, int width, std::size_t place) {
+  const int height = static_cast<int>(detected.size()) / width;
+  Patch patch{width, 0, height, 0};
+  std::vector<std::size_t> to_visit;
+  const auto visit = [&](int x, int y) {
+    const auto next = static_cast<std::size_t>(y * width + x);
+    if (x >= 0 && x < width && y >= 0 && y < height && detected[next]) {
+      detected[next] = false;
+      to_visit.push_back(next);
+    }
+  };
+  visit(static_cast<int>(place) % width, static_cast<int>(place) / width);
+  while (!to_visit.empty()) {
+    const int x = static_cast<int>(to_visit.back()) % width;
+    const int y = static_cast<int>(to_visit.back()) / width;
+    to_visit.pop_back();
+    patch.left = std::min(patch.left, x);
+    patch.right = std::max(patch.right, x + 1);
+    patch.top = std::min(patch.top, y);
+    patch.bottom = std::max(patch.bottom, y + 1);
+    ++patch.pixels;
+    visit(x - 1, y);
+    visit(x + 1, y);
+    visit(x, y - 1);
+    visit(x, y + 1);
+  }
+  return patch;
+}
+
+// Finds the largest round patch.
+std::optional<Patch> findRound(std::vector<bool> detected, int width) {
+  constexpr int kFewestPixels = 7;
+  std::optional<Patch> found;
+  for (std::size_t place = 0; place < detected.size(); ++place) {
+    if (detected[place]) {
+      const Patch patch = takePatch(detected, width, place);
+      if (patch.pixels >= kFewestPixels && patch.isRound() && (!found || patch.pixels > found->pixels)) {
+        found = patch;
       }
     }
   }
-
-  // Finds the largest round patch.
-  std::optional<Patch> findRound() {
-    constexpr int kFewestPixels = 7;
-    std::optional<Patch> found;
-    for (std::size_t place = 0; place < is_detected_.size(); ++place) {
-      if (is_detected_[place]) {
-        const Patch patch = takePatch(place);
-        if (patch.pixels >= kFewestPixels && patch.isRound() && (!found || patch.pixels > found->pixels)) {
-          found = patch;
-        }
-      }
-    }
-    return found;
-  }
-
- private:
-  // Removes and returns the patch that contains this pixel.
-  Patch takePatch(std::size_t place) {
-    Patch patch{width_, 0, height_, 0};
-    std::vector<std::size_t> to_visit;
-    const auto visit = [&](int x, int y) {
-      const auto next = static_cast<std::size_t>(y * width_ + x);
-      if (x >= 0 && x < width_ && y >= 0 && y < height_ && is_detected_[next]) {
-        is_detected_[next] = false;
-        to_visit.push_back(next);
-      }
-    };
-    visit(static_cast<int>(place) % width_, static_cast<int>(place) / width_);
-    while (!to_visit.empty()) {
-      const int x = static_cast<int>(to_visit.back()) % width_;
-      const int y = static_cast<int>(to_visit.back()) / width_;
-      to_visit.pop_back();
-      patch.left = std::min(patch.left, x);
-      patch.right = std::max(patch.right, x + 1);
-      patch.top = std::min(patch.top, y);
-      patch.bottom = std::max(patch.bottom, y + 1);
-      ++patch.pixels;
-      visit(x - 1, y);
-      visit(x + 1, y);
-      visit(x, y - 1);
-      visit(x, y + 1);
-    }
-    return patch;
-  }
-
-  int width_;
-  int height_;
-  std::vector<bool> is_detected_;
-};
+  return found;
+}
 
 }  // namespace
 
@@ -99,7 +93,7 @@ std::optional<Ball> findBall(const sensor_msgs::Image& mask) {
       mask.data.size() < std::size_t{mask.step} * mask.height) {
     return std::nullopt;
   }
-  const std::optional<Patch> patch = Patches(mask).findRound();
+  const std::optional<Patch> patch = findRound(pixelsOf(mask), static_cast<int>(mask.width));
   if (!patch) {
     return std::nullopt;
   }
