@@ -64,10 +64,9 @@ watch_with() {
 # at_once N MEGABYTES: prints how many processes run at the same time: N for each processor, or fewer if memory does not
 # suffice for so many of this size.
 at_once() {
-  awk -v most=$(($1 * $(nproc))) -v size="$2" '/^MemAvailable/ {
-    fit = int($2 / 1000 / size)
-    print (fit < 1 ? 1 : fit < most ? fit : most)
-  }' /proc/meminfo
+  awk -v most=$(($1 * $(nproc))) -v size="$2" '
+    /^MemAvailable/ { fit = int($2 / 1000 / size) }
+    END { print (fit < 1 ? 1 : fit < most ? fit : most) }' /proc/meminfo
 }
 
 # fail PROBLEM [ADVICE...]: prints what went wrong, then the advice, one line each.
