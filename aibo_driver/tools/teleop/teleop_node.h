@@ -33,9 +33,10 @@ void logAnswer(const std::string& service, const Response* response) {
   constexpr std::size_t kLongestMessage = 1000;  // bytes
   if (response == nullptr) {
     ROS_WARN_STREAM("The service " << service << " cannot be called: do the driver and the ROS master run?");
+  } else if (response->success) {
+    ROS_INFO_STREAM(service << ": " << aibo_driver::text::plainLine(response->message, kLongestMessage));
   } else {
-    ROS_LOG_STREAM(response->success ? ros::console::levels::Info : ros::console::levels::Warn, ROSCONSOLE_DEFAULT_NAME,
-                   service << ": " << aibo_driver::text::plainLine(response->message, kLongestMessage));
+    ROS_WARN_STREAM(service << ": " << aibo_driver::text::plainLine(response->message, kLongestMessage));
   }
 }
 
