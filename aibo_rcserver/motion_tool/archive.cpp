@@ -90,12 +90,17 @@ std::vector<ArchivedFile> readArchive(const std::string& bytes) {
     throw std::runtime_error("the archive is cut off: it claims to have " + std::to_string(count) + " files");
   }
   std::vector<ArchivedFile> files;
+  std::size_t packed_size = 0;
   std::size_t size = 0;
   for (std::size_t i = 0; i < count; ++i) {
     files.push_back(readEntry(bytes, i));
+    packed_size += files.back().content.size();
+    if (packed_size > bytes.size()) {  // or a small archive could take hours
+      throw std::runtime_error("the archive's files overlap");
+    }
     unpackContent(files.back());
     size += files.back().content.size();
-    if (size > kLongestContents) {  // a small archive, whose files overlap, could fill any disk
+    if (size > kLongestContents) {  // a small archive could fill any disk
       throw std::runtime_error("the archive's files have more than 64 MiB unpacked");
     }
   }
