@@ -74,6 +74,7 @@ std::shared_ptr<Playback> Player::play(Source source) {
     if (early_end_ && early_end_->sound == progress.sound) {
       playback->end_ = early_end_;
     }
+    early_end_.reset();  // a robot that restarts counts its sounds from the beginning
   }
   if (!playback->next_.empty()) {
     feeder_ = std::thread([this, playback, room = progress.room] { feed(playback.get(), room); });

@@ -94,7 +94,7 @@ class SoundFile {
     std::vector<float> frames(most * channels);
     const sf_count_t count =
         is_at_end_ ? 0 : ::sf_readf_float(file_.get(), frames.data(), static_cast<sf_count_t>(most));
-    is_at_end_ = count < static_cast<sf_count_t>(most);
+    is_at_end_ = count <= 0;
     std::vector<float> mean(static_cast<std::size_t>(std::max<sf_count_t>(count, 0)));
     for (std::size_t i = 0; i < mean.size(); ++i) {
       for (std::size_t channel = 0; channel < channels; ++channel) {
