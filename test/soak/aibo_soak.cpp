@@ -278,8 +278,11 @@ void Soak::end() {
   if (const std::string growth = robot_resources_.growth(); !growth.empty()) {
     complain("server: " + growth);
   }
-  std::printf("\n%u rounds, %llu pictures, %zu violations\n", number_ / 2, static_cast<unsigned long long>(pictures_),
-              violations_);
+  if (audit_.stops() == 0 || audit_.commands() == 0) {
+    complain("no stop or no accepted command was judged: was the time too short, or the computer too busy?");
+  }
+  std::printf("\n%u rounds, %llu pictures, %zu stops and %zu accepted commands judged, %zu violations\n", number_ / 2,
+              static_cast<unsigned long long>(pictures_), audit_.stops(), audit_.commands(), violations_);
 }
 
 /// Lets this many milliseconds pass, and takes samples of resources meanwhile.

@@ -114,6 +114,7 @@ void OrderAudit::judgeStop(const Round& round, const Call& stop) {
   if (!is_clear || measurements < 2) {
     return;  // the robot was told to rest meanwhile, or nothing was measured
   }
+  ++stops_;
   for (const auto& [joint, way] : moved) {
     if (way > kStill) {
       complain_(clock(begin) + joint + " moved by " + text(way) + " rad after the stop of " + stop.user);
@@ -140,6 +141,7 @@ void OrderAudit::judgeAge(const Round& round) {
     }
     for (const auto& [time, targets] : found) {
       const double age = time - order.time;
+      commands_ += targets == order.targets.size() ? 1 : 0;
       if (targets == order.targets.size() && age > kTooOld + kOnTheWay) {
         complain_(clock(time) + "the robot accepted a command of " + order.user + " that was " + text(age) + " s old");
       }

@@ -4,6 +4,7 @@
 #ifndef TEST_SOAK_ORDER_AUDIT_H
 #define TEST_SOAK_ORDER_AUDIT_H
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -76,12 +77,18 @@ class OrderAudit {
   /// @param round in which all orders have ended
   void judge(const Round& round);
 
+  /// How many stops and accepted commands were judged.
+  std::size_t stops() const { return stops_; }
+  std::size_t commands() const { return commands_; }
+
  private:
   void judgeEnds(const Round& round);
   void judgeStop(const Round& round, const Call& stop);
   void judgeAge(const Round& round);
 
   const std::function<void(const std::string&)> complain_;
+  std::size_t stops_ = 0;
+  std::size_t commands_ = 0;
 };
 
 /// A time in words: the seconds since the last full hour.
