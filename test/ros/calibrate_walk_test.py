@@ -59,6 +59,13 @@ class CalibrateWalkTest(unittest.TestCase):
         odom.pose.pose.orientation.z, odom.pose.pose.orientation.w = math.sin(yaw / 2), math.cos(yaw / 2)
         return odom
 
+    def test_steers_by_cmd_vel_and_hears_odom(self):
+        with mock.patch.object(program.rospy, 'Publisher') as publisher, \
+                mock.patch.object(program.rospy, 'Subscriber') as subscriber:
+            program.Robot()
+        self.assertEqual([each.call_args[0][:2] for each in (publisher, subscriber)],
+                         [('cmd_vel', program.Twist), ('odom', program.Odometry)])
+
     def test_hears_turns_beyond_half_a_circle(self):
         robot = program.Robot.__new__(program.Robot)
         robot.pose, robot.turned = None, 0.0
