@@ -144,6 +144,22 @@ class PackagesTest(unittest.TestCase):
         self.assertEqual(sorted(commands), sorted(pages))
 
 
+class RosdepTest(unittest.TestCase):
+    """On Ubuntu 20.04, rosdep installs what package.xml names."""
+
+    KEYS = {"Boost": "libboost-program-options-dev", "Eigen3": "eigen", "JPEG": "libjpeg", "ZLIB": "zlib",
+            "sndfile": "libsndfile1-dev", "samplerate": "libsamplerate0-dev"}  # others have the name that CMake knows
+
+    def test_installs_what_the_build_requires(self):
+        cmake = "".join((PROJECT / folder / "CMakeLists.txt").read_text("utf-8") for folder in (".", "aibo_driver/walk"))
+        components = re.search(r"find_package\(catkin REQUIRED COMPONENTS([^)]*)\)", cmake)[1].split()
+        required = components + re.findall(r"find_package\((\w+) REQUIRED", cmake) + re.findall(
+            r"pkg_check_modules\(\w+ REQUIRED IMPORTED_TARGET ([\w-]+)\)", cmake)
+        named = re.findall(r"<(?:buildtool_|build_)?depend>([\w-]+)<", (PROJECT / "package.xml").read_text("utf-8"))
+        self.assertEqual(set(self.KEYS.get(each, each) for each in required) - {"PkgConfig", "Threads"} - set(named),
+                         set())
+
+
 class ScriptsTest(unittest.TestCase):
     @unittest.skipUnless((Path(os.environ["BUILD_FOLDER"]) / "build.ninja").exists(), "needs a build with ninja")
     def test_build_targets_that_exist(self):
