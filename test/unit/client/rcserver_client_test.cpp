@@ -255,6 +255,7 @@ TEST_F(ACallThatWaits, FailsAtOnceWithoutAConnectionAndSaysWhatToCheck) {
   waiting.get();
   EXPECT_EQ(ConnectionState::kConnected, client_.status().state);
   EXPECT_EQ(FaultKind::kNone, client_.status().fault);
+  EXPECT_EQ("", client_.status().advice);
 }
 
 TEST_F(ACallThatWaits, FailsWithItsConnectionAndNamesTheReason) {
