@@ -185,6 +185,12 @@ TEST(Monitor, WithoutADriverEndsAfterItsTimeAndSaysThatNoPictureCame) {
   }
 }
 
+TEST(Monitor, SaysEachSecondWhatIsMissing) {
+  Process monitor({AIBO_MONITOR, "__ns:=/nobody", "_first_picture_timeout:=4"});
+  EXPECT_EQ(monitor.waitForExit(kSafetyNet), 1);
+  EXPECT_THAT(monitor.output(), testing::ContainsRegex("(no pictures: no driver[^\n]*\n){2}")) << "one may be late";
+}
+
 TEST(Monitor, SaysWhyNoPicturesComeAndWhoHasStoppedTheRobot) {
   FakeDriver driver("/watched");
   driver.stop("/user");
