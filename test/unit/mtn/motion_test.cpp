@@ -113,6 +113,7 @@ TEST_F(MotionFile, IsRefusedForEachNumberThatIsWrong) {
       {kSection1 + 8, 255, 1, "within the motion's name"},
       {kSection1 + 8, 23, 1, "before the creator's name"},
       {kSection2 + 8, 0, 2, "0 joints are outside 1..32"},
+      {kSection2 + 8, 32, 2, "joint 2 has no locator"},
       {kSection2 + 8, 33, 2, "33 joints are outside 1..32"},
       {kSection2 + 8, 3, 2, "joint"},
       {kSection2 + 11, 'p', 1, "joint 0 has no locator"},
