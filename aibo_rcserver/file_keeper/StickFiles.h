@@ -28,7 +28,7 @@ class StickFiles {
   /// Carries out a job. A motion replaces one of the same name. A picture gets a new name: AIBO0001.JPG, or the highest
   /// number so far plus one. OPEN-R does not report the free space, so PICTURE_RESERVE bytes are written beside the
   /// picture and removed again. A list is sorted by name; if there are too many files, some are missing.
-  /// @param[out] result only the members for the job's operation are written, and they count only if the outcome is DONE
+  /// @param[out] result the members for the job's operation; they count only if the outcome is DONE
   FileResult::Outcome CarryOut(const FileJob& job, FileResult* result) const;
 
  private:
