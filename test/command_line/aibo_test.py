@@ -41,6 +41,11 @@ def start(*words, port, stderr=subprocess.PIPE, **options):
                             stderr=stderr, **options)
 
 
+def complaints(process):
+    """What it wrote, but for a connection that a busy computer has lost."""
+    return [line for line in process.stderr.read().splitlines() if b"No connection to the robot" not in line]
+
+
 class SimulatedRobot:
     def __init__(self, *options, port=0, console=None):
         options += ("--no-console",) if console is None else ("--console-port", str(console))
@@ -195,9 +200,13 @@ class TestCase(unittest.TestCase):
         return json.loads(self.text("--json", *words, **options))
 
     def examined(self):
-        """The report of a short examination. On a busy computer, the stream is slow, and doctor says so."""
-        result = run("--json", "doctor", "--seconds", "1.2", port=self.robot.port)
-        report = json.loads(result.stdout)
+        """The report of a short examination. On a busy computer, the stream is slow, and doctor says so. If the robot was
+        silent for so long that there is none, it is examined again."""
+        for _ in range(10):
+            result = run("--json", "doctor", "--seconds", "1.2", port=self.robot.port)
+            report = json.loads(result.stdout)
+            if report["stream"]:
+                break
         self.assertGreaterEqual(report["stream"]["seconds"], 1.2)
         self.assertEqual(result.returncode, DONE if report["good"] else FAILED, result)
         return report
@@ -323,7 +332,7 @@ class OnBothVersions:
         with start("watch", port=self.robot.port) as watch:
             watch.stdout.readline()
             watch.send_signal(signal.SIGINT)
-            self.assertEqual((watch.wait(60), watch.stderr.read()), (DONE, b""))
+            self.assertEqual((watch.wait(60), complaints(watch)), (DONE, []))
 
     def test_ctrl_c_stops_a_joint(self):
         self.aibo("move", "head_pan=0deg", "tail_pan=-9deg", "--speed", "170deg/s")
@@ -341,7 +350,7 @@ class OnBothVersions:
             watch.stdout.readline()
             watch.stdout.close()
             self.assertEqual(watch.wait(60), -signal.SIGPIPE)
-            self.assertEqual(watch.stderr.read(), b"")
+            self.assertEqual(complaints(watch), [])
 
     def test_a_full_disk_is_said(self):
         with open("/dev/full", "wb") as full:
