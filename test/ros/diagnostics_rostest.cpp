@@ -158,7 +158,7 @@ TEST(StreamDiagnostics, WarnOfDataThatComesLate) {
   SimulatedRobot robot;
   test_support::FaultProxy proxy(robot.port());
   DriverProcess driver("/late", proxy.port(),
-                       {kStreams, "_read_timeout:=20", "_telemetry_rate:=0", test_support::kByTcp});
+                       {kStreams, "_frame_rate:=2", "_read_timeout:=20", "_telemetry_rate:=0", test_support::kByTcp});
   Watch watch("late");
   watch.waitFor("joints", DiagnosticStatus::OK, "idle: telemetry_rate is 0");
   watch.waitFor("power", DiagnosticStatus::OK, "idle");
