@@ -20,8 +20,8 @@ REFUSED = {
     'openr_object': 'which folder?', 'openr_object --fast': "no option '--fast'",
     'openr_object /usr /etc': "two folders, '/usr' and '/etc'", 'openr_object /none': "no folder '/none'",
     'try_release --packages trixie': 'give a release and a folder', 'try_release trixie /usr': '/usr exists',
-    'container --fast': "no option '--fast'", 'demo --fast': "no option '--fast'", 'demo --seconds': '--seconds needs a value',
-    'demo --seconds 1.5': "a whole number, not '1.5'", 'demo --images /nowhere': "no folder '/nowhere'",
+    'container --fast': "no option '--fast'", 'demo --fast': "no option '--fast'",
+    'demo --seconds': '--seconds needs a value', 'demo --seconds 1.5': "a whole number, not '1.5'", 'demo --images /nowhere': "no folder '/nowhere'",
     'demo --images / --robot aibo': '--images is for the simulated robot',
     'demo --still --walk': '--still and --walk exclude each other', 'demo --walk --images /': "needs the camera's room"}
 
