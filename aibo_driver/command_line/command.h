@@ -68,7 +68,8 @@ struct Command {
 /// All commands, in the order of the help.
 const std::vector<Command>& allCommands();
 
-/// @throw InvalidArgumentException there is no command with this name
+/// Finds a command by its name.
+/// @throw InvalidArgumentException no command has this name; the message says how to list all commands
 const Command& commandNamed(const std::string& name);
 
 }  // namespace aibo_driver::command_line

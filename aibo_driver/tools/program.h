@@ -32,6 +32,8 @@ inline void init(int& argc, char** argv, const std::string& name, const char* he
 
 /// Runs a program that is one node, which finds the driver's topics in the namespace aibo or its own.
 /// @tparam Node is made with a handle in the driver's namespace and one for the parameters
+/// @param help see init()
+/// @return see node::runNode()
 template <typename Node>
 int run(int argc, char** argv, const std::string& name, const char* help) {
   init(argc, argv, name, help);

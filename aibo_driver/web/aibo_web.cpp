@@ -71,8 +71,9 @@ ros::Subscriber subscribe(ros::NodeHandle& handle, const std::string& topic, boo
   return handle.subscribe<Bounded>(topic, 1, post, {}, ros::TransportHints().tcpNoDelay());
 }
 
+/// How far a finger has moved a pad in one direction.
 /// @return -1..1
-/// @throw boost::property_tree::ptree_error it is missing, or is no number
+/// @throw boost::property_tree::ptree_error the order has no such number
 double deflection(const Order& order, const char* name) {
   return std::clamp(order.get<double>(name), -1.0, 1.0);
 }

@@ -30,6 +30,7 @@ class Gate {
   /// @throw std::invalid_argument this is no address by which a browser can reach a server
   Gate(const std::string& address, std::uint16_t port);
 
+  /// @return what to answer to this request
   Verdict judge(const Request& request) const;
 
   /// The address of the page, with the code.

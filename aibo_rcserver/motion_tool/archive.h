@@ -26,8 +26,8 @@ bool isArchive(const std::string& bytes);
 ///
 /// The type proves nothing: placeholders of eight or no bytes have the type of a motion.
 ///
-/// @throw std::runtime_error the bytes are not an archive; it is cut off; a file of it cannot be unpacked; its files
-///   would have more than 64 MiB in all
+/// @throw std::runtime_error the bytes are not an archive; it is cut off; its files overlap; a file of it cannot be
+///   unpacked; its files would have more than 64 MiB in all
 std::vector<ArchivedFile> readArchive(const std::string& bytes);
 
 /// A safe file name: letters, digits, `-` and `_` stay, everything else becomes `_`; then comes `.mtn` for a motion,
