@@ -30,8 +30,8 @@ struct ParsedLeds {
 /// refused if its arrays do not fit together, or if there is no such mode.
 ParsedLeds parseLeds(const Leds& message, const robot_model::RobotModel& model);
 
-/// Sends the commands of the topics leds and ears to the robot. It drops them while there is no connection. The mover
-/// can refuse to move the ears.
+/// Sends to the robot what nodes publish on the topics leds and ears. Without a connection, it drops the commands. The
+/// mover may refuse a command to the ears.
 ///
 /// Only one thread at a time may use an object of this class.
 class LedsAndEars {
